@@ -1,0 +1,66 @@
+"""Speed of a solve in a warm process and of the installed command from cold, with its memory.
+
+    OPENBLAS_NUM_THREADS=1 python benchmarks/bench_solve.py
+
+Medians of several runs; "first" is the first solve of a process at that β, which builds the elastic operators.
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+import shutil
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import softlube
+from softlube.system import forget_operators
+
+COMMAND = ["solve", "--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s", "--speed", "0.1 mm/s", "--load", "100 mN"]
+REPEATS = 7
+
+
+def warm(beta: float) -> tuple[float, float, int]:
+    """Seconds of processor time of a first and of a warm solve, and unknowns of the finest grid."""
+    softlube.solve(beta=50)  # imports
+    forget_operators()
+    began = time.process_time()
+    solution = softlube.solve(beta=beta)
+    first = time.process_time() - began
+    times = []
+    for _ in range(REPEATS):
+        began = time.process_time()
+        softlube.solve(beta=beta)
+        times.append(time.process_time() - began)
+    finest = solution.levels[-1]
+    return first, statistics.median(times), finest.n_r * (finest.n_theta + 1)
+
+
+def cold() -> tuple[float, float]:
+    """Wall seconds (median) and peak memory in MB of the installed command."""
+    program = shutil.which("softlube") or str(Path(sys.executable).parent / "softlube")
+    times = []
+    for _ in range(REPEATS):
+        began = time.perf_counter()
+        subprocess.run([program, *COMMAND], check=True, stdout=subprocess.DEVNULL)
+        times.append(time.perf_counter() - began)
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    return statistics.median(times), peak
+
+
+def main() -> None:
+    """Print both tables."""
+    print(f"threads: {os.environ.get('OPENBLAS_NUM_THREADS', 'all')}")
+    print(f"{'beta':>8s} {'first [s]':>10s} {'warm [s]':>9s} {'unknowns':>9s}")
+    for beta in (10.0, 100.0, 1e3, 1e4, 1e5):
+        first, again, unknowns = warm(beta)
+        print(f"{beta:8.0f} {first:10.3f} {again:9.3f} {unknowns:9d}")
+    seconds, megabytes = cold()
+    print(f"softlube {' '.join(COMMAND[:3])} …, cold: {seconds:.2f} s wall, {megabytes:.0f} MB")
+
+
+if __name__ == "__main__":
+    main()

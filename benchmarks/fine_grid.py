@@ -1,0 +1,52 @@
+"""Grid-converged values: the yardstick of the other benchmarks and of the accuracy tests.
+
+    python benchmarks/fine_grid.py tests/verification/reference.json
+
+solves the cases of `CASES` on grids whose layer, angles, reach and proportions differ from the solver's own, and writes every
+quantity with the change from the last coarser grid as its uncertainty.  Some five minutes.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from softlube.problem import Problem
+from softlube.solver import grid_for, prolong, solve_level
+from softlube.system import forget_operators
+
+CASES = [
+    *(Problem(beta=beta) for beta in (10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4)),
+    *(Problem(beta=beta, cavitation="none") for beta in (10.0, 300.0, 1e4)),
+]
+
+
+def reference(problem: Problem, n_theta: int = 48) -> dict[str, float]:
+    """Quantities on a fine grid that shares nothing with the solver's but the equations."""
+    own = grid_for(problem, n_theta)
+    grid = replace(own, layer=own.layer * 0.7, side_spacing=min(1.0, own.side_spacing * 1.1), reach=25.0)
+    fine = grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / 5.0)), n_theta)
+    coarse = fine.resized(fine.n_r * 20 // n_theta, 20)
+    start = prolong(solve_level(problem, coarse, None).x, coarse, fine, problem)
+    values = dict(solve_level(problem, fine, start).level.values)
+    forget_operators()  # a gigabyte each
+    return values
+
+
+def main() -> None:
+    """Solve the cases and write the file."""
+    results = []
+    for problem in CASES:
+        coarser, finest = reference(problem, 40), reference(problem, 60)
+        values = {name: {"value": value, "uncertainty": abs(value - coarser[name])} for name, value in finest.items()}
+        results.append({"beta": problem.beta, "cavitation": problem.cavitation, "quantities": values})
+        print(f"beta = {problem.beta:g}, {problem.cavitation}: film_min = {finest['film_min']:.8g}", flush=True)
+    Path(sys.argv[1]).write_text(json.dumps(results, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

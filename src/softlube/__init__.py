@@ -1,0 +1,59 @@
+"""softlube: lubricated sliding of a rigid sphere on a soft elastic substrate.
+
+>>> import softlube
+>>> contact = softlube.Contact(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", speed="0.1 mm/s", load="100 mN")
+>>> solution = contact.solve()
+>>> round(solution.dimensional["film_min"] * 1e9, 1)  # nm
+78.8
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from softlube.contact import Contact
+    from softlube.errors import InputError, NotConvergedError, SoftlubeError
+    from softlube.io import load
+    from softlube.problem import Problem
+    from softlube.solution import Quantity, Solution
+    from softlube.solver import solve
+
+__version__ = "0.1.0"
+
+# Names are imported when first used: the command line answers --help without NumPy.
+_HOME = {
+    "Contact": "contact",
+    "InputError": "errors",
+    "NotConvergedError": "errors",
+    "Problem": "problem",
+    "Quantity": "solution",
+    "SoftlubeError": "errors",
+    "Solution": "solution",
+    "load": "io",
+    "solve": "solver",
+}
+
+__all__ = [
+    "Contact",
+    "InputError",
+    "NotConvergedError",
+    "Problem",
+    "Quantity",
+    "SoftlubeError",
+    "Solution",
+    "__version__",
+    "load",
+    "solve",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,315 @@
+"""The command line; the only module that touches the terminal.  Heavy imports live inside the commands: start-up counts."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import App, CycloptsError, Group, Parameter
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from softlube.solution import Quantity, Solution
+
+EXIT_INPUT = 2
+EXIT_NOT_CONVERGED = 3
+
+
+def _version() -> str:
+    from softlube import __version__
+
+    return __version__
+
+
+app = App(
+    name="softlube",
+    help="Lubricated sliding of a sphere on a soft elastic substrate: film, pressure and friction, with error bars.",
+    version=_version,
+)
+
+_PHYSICAL = Group("Physical contact (text with units, such as '2 mm')", sort_key=1)
+_DIMENSIONLESS = Group("Dimensionless contact", sort_key=2)
+_METHOD = Group("Method", sort_key=3)
+_OUTPUT = Group("Output", sort_key=4)
+
+# A negative number is a value, to be refused with the reason, and not an option.
+Physical = Annotated[str | None, Parameter(group=_PHYSICAL, allow_leading_hyphen=True)]
+
+
+@app.command
+def solve(
+    *,
+    radius: Physical = None,
+    young_modulus: Physical = None,
+    shear_modulus: Physical = None,
+    viscosity: Physical = None,
+    speed: Physical = None,
+    load: Physical = None,
+    indentation: Physical = None,
+    roughness: Physical = None,
+    thickness: Physical = None,
+    density: Physical = None,
+    beta: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
+    beta_load: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
+    cavitation: Annotated[str, Parameter(group=_METHOD)] = "reynolds",
+    accuracy: Annotated[float, Parameter(group=_METHOD)] = 1e-3,
+    output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
+    plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
+) -> int:
+    """Solve one contact and print film thickness, pressure and friction with their errors.
+
+    Give --radius, --viscosity, --speed, one of --young-modulus and --shear-modulus, and one of --load and --indentation; or
+    --beta (or --beta-load) alone for the dimensionless problem.
+
+    Parameters
+    ----------
+    radius
+        Radius of the sphere, such as "2 mm".
+    young_modulus
+        Young's modulus of the substrate (incompressible), such as "3 MPa".
+    shear_modulus
+        Shear modulus instead, such as "1 MPa".
+    viscosity
+        Dynamic viscosity of the liquid, such as "2 Pa s".
+    speed
+        Sliding speed, such as "0.1 mm/s".
+    load
+        Normal load, such as "100 mN".
+    indentation
+        Depth of the sphere's lowest point below the undeformed surface instead, such as "50 um".
+    roughness
+        Roughness height; a film below it is warned of.
+    thickness
+        Thickness of the slab; a slab that is not much thicker than the contact is warned of.
+    density
+        Density of the liquid, for the warning of inertia [default: 1000 kg/m^3].
+    beta
+        β = (2/3)(h0²/R) πG/(ηv) of a given indentation.
+    beta_load
+        The same with the Hertz indentation of a given load.
+    cavitation
+        "reynolds" (no negative pressure) or "none".
+    accuracy
+        Relative error aimed at; the grids follow from it.
+    output
+        NetCDF file for the whole solution.
+    plot
+        Picture of film and pressure (.png, .pdf or .svg).
+    as_json
+        Print one JSON object and nothing else.
+    """
+    from softlube.errors import InputError
+
+    physical = {
+        "radius": radius,
+        "young_modulus": young_modulus,
+        "shear_modulus": shear_modulus,
+        "viscosity": viscosity,
+        "speed": speed,
+        "load": load,
+        "indentation": indentation,
+        "roughness": roughness,
+        "thickness": thickness,
+        "density": density,
+    }
+    given = {name: value for name, value in physical.items() if value is not None}
+    dimensionless = [name for name, value in (("beta", beta), ("beta_load", beta_load)) if value is not None]
+    if dimensionless and given:
+        raise InputError(f"{dimensionless[0]}, {next(iter(given))}: give a dimensionless or a physical contact, not both")
+    if not dimensionless and not given:
+        raise InputError("radius: missing; describe the contact (--radius, --viscosity, …) or give --beta; see --help")
+
+    # Everything that can be refused is refused before anything is computed or written.
+    if output is not None or plot is not None:
+        from softlube.files import check_destination
+
+        if output is not None:
+            check_destination("output", output)
+        if plot is not None:
+            from softlube.plotting import check_format
+
+            check_format("plot", plot)
+            check_destination("plot", plot)
+
+    import time
+
+    began = time.perf_counter()
+    solution = _solve(given, beta, beta_load, cavitation, accuracy, quiet=as_json)
+    seconds = time.perf_counter() - began
+    _write_files(solution, output, plot)
+    if as_json:
+        import json
+
+        print(json.dumps(solution.to_dict(), allow_nan=False))
+    else:
+        _report(solution, seconds, [path for path in (output, plot) if path is not None])
+    return 0
+
+
+def _solve(
+    physical: dict[str, str],
+    beta: float | None,
+    beta_load: float | None,
+    cavitation: str,
+    accuracy: float,
+    quiet: bool,
+) -> Solution:
+    from rich.console import Console
+
+    from softlube.contact import Contact
+    from softlube.solver import solve
+
+    contact = Contact(**physical, cavitation=cavitation) if physical else None
+    console = Console(stderr=True, quiet=quiet)
+    with console.status("solving", spinner="dots") as status:
+        if contact is not None:
+            return contact.solve(accuracy=accuracy, progress=status.update)
+        return solve(beta, beta_load=beta_load, cavitation=cavitation, accuracy=accuracy, progress=status.update)
+
+
+def _write_files(solution: Solution, output: str | None, plot: str | None) -> None:
+    """Both files, or none."""
+    from contextlib import ExitStack
+
+    from softlube.files import whole_file
+
+    with ExitStack() as stack:
+        temporary_output = stack.enter_context(whole_file(output)) if output is not None else None
+        temporary_plot = stack.enter_context(whole_file(plot)) if plot is not None else None
+        if temporary_output is not None:
+            solution.save(temporary_output)
+        if temporary_plot is not None:
+            solution.plot(temporary_plot)
+
+
+# --- the table ------------------------------------------------------------------------------------------------------
+
+_DIMENSIONLESS_UNIT = {
+    "load": "4πG|h0|a",
+    "film": "|h0|",
+    "pressure": "4πG a/R",
+    "friction": "(2π/3)G h0²",
+    "length": "a = √(R|h0|)",
+    "shear_rate_max": "v/|h0|",
+    "pressure_gradient_inlet": "4πG/R",
+}
+_PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G"))
+
+
+def _rounded(value: float, error: float) -> tuple[str, str]:
+    """Value and error as text, the value cut at the second significant digit of the error."""
+    import math
+
+    if not (math.isfinite(error) and error > 0):
+        return f"{value:.6g}", "0" if error == 0 else "unknown"
+    digits = 1 - math.floor(math.log10(error))
+    if abs(value) >= 1e6 or digits > 9:
+        relative = max(0, math.floor(math.log10(abs(value))) + digits) if value else 0
+        return f"{value:.{min(relative, 12)}e}", f"{error:.2g}"
+    return f"{value:.{max(digits, 0)}f}", f"{error:.2g}"
+
+
+def _engineering(quantity: Quantity) -> tuple[str, str, str]:
+    """Value, error and unit of an SI quantity with the prefix that suits it."""
+    value, unit = float(quantity), quantity.unit
+    factor, prefix = 1.0, ""
+    if unit in ("m", "N", "Pa", "Pa/m"):
+        factor, prefix = next((pair for pair in _PREFIXES if abs(value) < 1000 * pair[0]), _PREFIXES[-1])
+    return *_rounded(value / factor, quantity.error / factor), prefix + unit
+
+
+def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
+    from rich.console import Console
+
+    console = Console(highlight=False, soft_wrap=True)
+    condition = "Reynolds condition" if solution.problem.cavitation == "reynolds" else "no cavitation condition"
+    console.print(f"β = {solution.beta:.5g} (by the load: {solution.beta_load:.5g}), {condition}", markup=False)
+    console.print(_table(solution), soft_wrap=False)
+    sizes = ", ".join(f"{level.n_r} × {level.n_theta}" for level in solution.levels)
+    steps = " + ".join(str(len(level.history)) for level in solution.levels)
+    console.print(f"Converged in {seconds:.2f} s: grids of {sizes} cells, {steps} Newton steps.")
+    console.print(f"Errors aimed at: {solution.accuracy:g} of each value (minimum film and gradient: three times that).")
+    for doubt in solution.warnings:
+        console.print(f"[bold yellow]Warning:[/] {doubt}.")
+    for path in files:
+        console.print(f"Wrote {path}", markup=False)
+
+
+def _table(solution: Solution) -> Table:
+    from rich import box
+    from rich.table import Table
+
+    from softlube.quantities import DESCRIPTION
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    table.add_column("quantity", no_wrap=True)
+    table.add_column("value", justify="right", no_wrap=True)
+    table.add_column("± error", no_wrap=True)
+    table.add_column("unit", no_wrap=True)
+
+    def row(text: str, value: str, error: str, unit: str) -> None:
+        table.add_row(text, value, f"± {error}", unit)
+
+    quantities, dimensional = solution.quantities, solution.dimensional
+    physical = solution.contact is not None
+    if physical:
+        row("indentation |h0|", *_engineering(dimensional["indentation"]))
+        row("contact radius a = √(R|h0|)", *_engineering(dimensional["contact_radius"]))
+    for name, text in DESCRIPTION.items():
+        quantity = quantities[name]
+        if name in ("film_min_radius", "film_min_angle_deg"):
+            place = "  at a radius of" if name == "film_min_radius" else "  at an angle from the inlet of"
+            row(place, *_rounded(float(quantity), quantity.error), "a" if name == "film_min_radius" else "°")
+        elif physical:
+            row(text, *_engineering(dimensional[name]))
+        else:
+            group = "length" if name == "boundary_layer" else name if name in _DIMENSIONLESS_UNIT else name.split("_")[0]
+            row(text, *_rounded(float(quantity), quantity.error), _DIMENSIONLESS_UNIT[group])
+    if physical:
+        row("friction coefficient over r ≤ 2a", *_engineering(dimensional["friction_coefficient"]))
+    return table
+
+
+# --- entry point ----------------------------------------------------------------------------------------------------
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line; returns the exit code: 0 done, 2 bad input, 3 not converged."""
+    from softlube.errors import InputError, NotConvergedError
+
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):  # a terminal without Greek letters gets question marks, not a crash
+            stream.reconfigure(errors="replace")
+    try:
+        result = app(
+            list(sys.argv[1:] if arguments is None else arguments),
+            exit_on_error=False,
+            print_error=False,
+            result_action="return_value",
+        )
+    except CycloptsError as error:
+        return _complain(" ".join(str(error).split()) + " See softlube --help.", EXIT_INPUT)
+    except InputError as error:
+        return _complain(_as_options(str(error)), EXIT_INPUT)
+    except NotConvergedError as error:
+        return _complain(str(error), EXIT_NOT_CONVERGED)
+    except KeyboardInterrupt:
+        return _complain("interrupted", 130)
+    return result if isinstance(result, int) else 0
+
+
+def _as_options(message: str) -> str:
+    """A message that names parameters of Python, with the options of the command line instead."""
+    names, colon, rest = message.partition(":")
+    parts = names.split(", ")
+    if not colon or not all(part.isidentifier() for part in parts):
+        return message
+    return ", ".join(f"--{part.replace('_', '-')}" for part in parts) + colon + rest
+
+
+def _complain(message: str, code: int) -> int:
+    print(f"softlube: {message}", file=sys.stderr)
+    return code

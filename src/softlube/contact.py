@@ -1,0 +1,349 @@
+"""The physical contact, in SI units: sphere, substrate, lubricant and motion; Eqs. (4), (5), (6d), (29), (30).
+
+Units exist here and nowhere below: strings go in, floats in SI come out.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from functools import cache
+from typing import Any, SupportsFloat
+
+from softlube.errors import InputError
+from softlube.problem import Cavitation, Problem
+from softlube.solution import Quantity, Solution
+
+KINDS = {
+    "radius": ("m", "a length such as '2 mm'"),
+    "young_modulus": ("Pa", "a pressure such as '3 MPa'"),
+    "shear_modulus": ("Pa", "a pressure such as '1 MPa'"),
+    "viscosity": ("Pa s", "a dynamic viscosity such as '2 Pa s'"),
+    "speed": ("m/s", "a speed such as '0.1 mm/s'"),
+    "load": ("N", "a force such as '100 mN'"),
+    "indentation": ("m", "a length such as '50 um'"),
+    "roughness": ("m", "a length such as '20 nm'"),
+    "thickness": ("m", "a length such as '2 mm'"),
+    "density": ("kg/m^3", "a density such as '970 kg/m^3'"),
+}
+"""Unit and example of every physical input."""
+
+UNITS = {
+    "load": "N",
+    "load_contact": "N",
+    "film_center": "m",
+    "film_min": "m",
+    "film_min_radius": "m",
+    "film_inlet": "m",
+    "film_outlet_min": "m",
+    "pressure_center": "Pa",
+    "pressure_max": "Pa",
+    "pressure_gradient_inlet": "Pa/m",
+    "boundary_layer": "m",
+    "friction_contact": "N",
+    "friction_domain": "N",
+    "shear_rate_max": "1/s",
+    "indentation": "m",
+    "contact_radius": "m",
+    "friction_coefficient": "",
+}
+"""SI unit of every dimensional quantity."""
+
+LARGEST_SLOPE = 0.3
+LARGEST_FILM_REYNOLDS = 0.1
+LARGEST_LAYER_EFFECT = 0.05
+
+
+@cache
+def _registry() -> Any:
+    import pint
+
+    return pint.UnitRegistry()
+
+
+def to_si(name: str, value: object) -> float:
+    """One physical input in SI.
+
+    Parameters
+    ----------
+    name : str
+        A key of `KINDS`.
+    value : str, float or pint.Quantity
+        Text with a unit, a number already in SI, or a quantity.
+
+    Raises
+    ------
+    InputError
+        If the value is not a positive, finite quantity of the right dimension; the message names the parameter.
+    """
+    unit, expected = KINDS[name]
+    quantity: Any
+    if isinstance(value, str):
+        import pint
+
+        text = value.strip()
+        try:
+            quantity = _registry().Quantity(text)
+        except pint.UndefinedUnitError as error:
+            raise InputError(f"{name}: {text!r} has an unknown unit ({error.args[0]!r}); expected {expected}") from None
+        except Exception:  # pint's parser raises whatever the text provokes: SyntaxError, TypeError, DefinitionSyntaxError, …
+            raise InputError(f"{name}: cannot read {text!r}; expected {expected}") from None
+        if quantity.unitless:
+            raise InputError(f"{name}: {text!r} has no unit; expected {expected}")
+    elif hasattr(value, "to") and hasattr(value, "magnitude"):
+        quantity = value
+    elif isinstance(value, SupportsFloat) and not isinstance(value, bool):
+        return _positive(name, float(value), value)
+    else:
+        raise InputError(f"{name}: cannot read {value!r}; expected {expected}")
+    try:
+        number = float(quantity.to(unit).magnitude)
+    except Exception as error:
+        if type(error).__name__ == "DimensionalityError":
+            raise InputError(f"{name}: {value!s} has the wrong dimension; expected {expected}") from None
+        raise InputError(f"{name}: cannot read {value!r}; expected {expected}") from None
+    return _positive(name, number, value)
+
+
+def _positive(name: str, number: float, given: object) -> float:
+    if not (math.isfinite(number) and number > 0):
+        raise InputError(f"{name}: expected a positive, finite quantity, {KINDS[name][1]}; got {given!s}")
+    return number
+
+
+@dataclass(frozen=True, init=False)
+class Contact:
+    """A rigid sphere sliding over a soft, incompressible half-space with a viscous film between.
+
+    Every argument takes text with a unit in any spelling pint knows ("2 mm", "3 MPa", "2 Pa s"), a pint quantity, or a number
+    in SI.  Give exactly one of `young_modulus` and `shear_modulus`, and exactly one of `load` and `indentation`.
+
+    Parameters
+    ----------
+    radius : str, float or pint.Quantity
+        Radius R of the sphere.
+    viscosity : str, float or pint.Quantity
+        Dynamic viscosity η of the liquid.
+    speed : str, float or pint.Quantity
+        Sliding speed v.
+    young_modulus, shear_modulus : str, float or pint.Quantity, optional
+        E or G = E/3 of the substrate (ν = 1/2).
+    load : str, float or pint.Quantity, optional
+        Normal load N.
+    indentation : str, float or pint.Quantity, optional
+        Depth |h₀| of the sphere's lowest point below the undeformed surface.
+    cavitation : {"reynolds", "none"}
+        Reynolds condition, or negative pressures allowed.
+    roughness, thickness : str, float or pint.Quantity, optional
+        Roughness height and thickness of the slab; used for warnings only.
+    density : str, float or pint.Quantity
+        Density of the liquid; used for a warning only.
+
+    Attributes
+    ----------
+    radius, viscosity, speed, shear_modulus, density : float
+        In SI.
+    load, indentation, roughness, thickness : float or None
+        In SI, None where not given.
+
+    Raises
+    ------
+    InputError
+        If an input is missing, contradictory, not positive and finite, or of the wrong dimension.
+
+    Examples
+    --------
+    >>> from softlube import Contact
+    >>> contact = Contact(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", speed="0.1 mm/s", load="100 mN")
+    >>> round(contact.problem().beta_load)
+    16436
+    """
+
+    radius: float
+    viscosity: float
+    speed: float
+    shear_modulus: float
+    load: float | None
+    indentation: float | None
+    cavitation: Cavitation
+    roughness: float | None
+    thickness: float | None
+    density: float
+
+    def __init__(
+        self,
+        *,
+        radius: object = None,
+        viscosity: object = None,
+        speed: object = None,
+        young_modulus: object = None,
+        shear_modulus: object = None,
+        load: object = None,
+        indentation: object = None,
+        cavitation: str = "reynolds",
+        roughness: object = None,
+        thickness: object = None,
+        density: object = 1000.0,
+    ) -> None:
+        given = {"radius": radius, "viscosity": viscosity, "speed": speed}
+        for name, value in given.items():
+            if value is None:
+                raise InputError(f"{name}: missing; expected {KINDS[name][1]}")
+        for pair in (
+            {"young_modulus": young_modulus, "shear_modulus": shear_modulus},
+            {"load": load, "indentation": indentation},
+        ):
+            chosen = [name for name, value in pair.items() if value is not None]
+            if len(chosen) != 1:
+                verb = "are both given" if chosen else "are both missing"
+                raise InputError(f"{', '.join(pair)}: {verb}; give exactly one, {' or '.join(KINDS[name][1] for name in pair)}")
+        given |= {"load": load, "indentation": indentation, "roughness": roughness, "thickness": thickness, "density": density}
+        values = {name: None if value is None else to_si(name, value) for name, value in given.items()}
+        if young_modulus is not None:
+            values["shear_modulus"] = to_si("young_modulus", young_modulus) / 3
+        else:
+            values["shear_modulus"] = to_si("shear_modulus", shear_modulus)
+        if cavitation not in ("reynolds", "none"):
+            raise InputError(f"cavitation: expected 'reynolds' or 'none', got {cavitation!r}")
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        object.__setattr__(self, "cavitation", cavitation)
+
+    # --- from SI to the dimensionless problem -----------------------------------------------------------------------
+
+    @property
+    def hertz_indentation(self) -> float:
+        """Indentation of the dry contact under the load, Eq. (29), or the one prescribed [m]."""
+        if self.load is None:
+            assert self.indentation is not None
+            return self.indentation
+        return (3 * self.load / (16 * self.shear_modulus * math.sqrt(self.radius))) ** (2 / 3)
+
+    def problem(self) -> Problem:
+        """The dimensionless problem, Eq. (6d) or (30)."""
+        try:
+            stiffness = (2 / 3) * (self.hertz_indentation**2 / self.radius) * math.pi * self.shear_modulus
+            beta = stiffness / (self.viscosity * self.speed)
+        except (ZeroDivisionError, OverflowError):
+            beta = math.inf
+        if not (math.isfinite(beta) and beta > 0):
+            raise InputError(f"the inputs give beta = {beta:g}, which is no number to compute with; check their units")
+        if self.load is None:
+            return Problem(beta=beta, cavitation=self.cavitation)
+        return Problem(beta_load=beta, cavitation=self.cavitation)
+
+    def solve(self, *, accuracy: float = 1e-3, progress: Callable[[str], None] | None = None) -> Solution:
+        """Solve the contact.
+
+        Parameters
+        ----------
+        accuracy : float
+            Relative error aimed at; see `softlube.solve`.
+        progress : callable, optional
+            Called with a line of text after each grid.
+
+        Returns
+        -------
+        Solution
+            With `dimensional` quantities in SI and `warnings` about the physics.
+
+        Raises
+        ------
+        NotConvergedError
+            If the problem cannot be solved to the accuracy.
+        """
+        from softlube.solver import solve_problem
+
+        return self.interpret(solve_problem(self.problem(), accuracy=accuracy, progress=progress))
+
+    # --- and back ---------------------------------------------------------------------------------------------------
+
+    def interpret(self, solution: Solution) -> Solution:
+        """A dimensionless solution of `problem` with SI quantities and warnings added."""
+        from dataclasses import replace
+
+        dimensional = self.dimensional(solution.quantities)
+        return replace(solution, contact=self, dimensional=dimensional, warnings=self.doubts(dimensional))
+
+    def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
+        """Quantities in SI, Eqs. (4) and (26), with the error of an indentation that follows from the load."""
+        # Under load control N̄ = (4/3π)(|h₀|/δ)^(−3/2): the relative error of |h₀| is 2/3 that of N̄.
+        load_error = quantities["load"].error / abs(quantities["load"])
+        if self.load is None:
+            height, height_error = self.hertz_indentation, 0.0
+        else:
+            from softlube.limits import HERTZ_LOAD
+
+            height = self.hertz_indentation * (float(quantities["load"]) / HERTZ_LOAD) ** (-2 / 3)
+            height_error = 2 / 3 * load_error
+        length = math.sqrt(self.radius * height)
+        pressure = 4 * math.pi * self.shear_modulus * math.sqrt(height / self.radius)
+        # Scale of each quantity, and the power of |h₀| in it.
+        scales = {
+            "load": (pressure * length**2, 1.5),
+            "film": (height, 1.0),
+            "pressure": (pressure, 0.5),
+            "pressure_gradient_inlet": (pressure / length, 0.0),
+            "friction": (2 * math.pi / 3 * self.shear_modulus * height**2, 2.0),
+            "length": (length, 0.5),
+            "shear_rate_max": (self.speed / height, -1.0),
+        }
+        group = {"film_min_radius": "length", "boundary_layer": "length"}
+        result = {}
+        for name, quantity in quantities.items():
+            if name not in UNITS:
+                continue
+            scale, power = scales[group.get(name) or (name if name in scales else name.split("_")[0])]
+            error = scale * (quantity.error + abs(power * float(quantity)) * height_error)
+            result[name] = Quantity(scale * float(quantity), error, UNITS[name])
+        if self.load is not None:
+            result["load"] = Quantity(self.load, 0.0, "N")
+        friction, load = result["friction_domain"], result["load"]
+        coefficient = friction / load
+        result["indentation"] = Quantity(height, height * height_error, "m")
+        result["contact_radius"] = Quantity(length, length * height_error / 2, "m")
+        result["friction_coefficient"] = Quantity(
+            coefficient, coefficient * (friction.error / abs(friction) + load.error / abs(load))
+        )
+        return result
+
+    def doubts(self, dimensional: Mapping[str, Quantity]) -> tuple[str, ...]:
+        """Warnings where the model may not describe the experiment."""
+        doubts = []
+        radius = float(dimensional["contact_radius"])
+        if radius > LARGEST_SLOPE * self.radius:
+            doubts.append(
+                f"the contact radius is {radius / self.radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and the "
+                "parabolic sphere are in doubt"
+            )
+        film = float(dimensional["film_min"])
+        if self.roughness is not None and film < self.roughness:
+            doubts.append(
+                f"the minimum film, {film:.2g} m, is below the roughness, {self.roughness:.2g} m: the surfaces may touch"
+            )
+        center = float(dimensional["film_center"])
+        reynolds = self.density * self.speed * center**2 / (self.viscosity * radius)
+        if reynolds > LARGEST_FILM_REYNOLDS:
+            doubts.append(
+                f"the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
+            )
+        if self.thickness is not None:
+            # Dimitriadis et al., Biophys. J. 82 (2002) 2798, bonded incompressible layer.
+            chi = radius / self.thickness
+            stiffer = 1.133 * chi + 1.283 * chi**2 + 0.769 * chi**3 + 0.0975 * chi**4
+            if stiffer > LARGEST_LAYER_EFFECT:
+                doubts.append(
+                    f"the slab is {1 / chi:.2g} contact radii thick and is taken as infinitely thick: bonded to a rigid base "
+                    f"it would carry about {100 * stiffer:.0f} % more load at this indentation"
+                )
+        return tuple(doubts)
+
+    def inputs(self) -> dict[str, float | str | None]:
+        """The inputs in SI, as stored with a solution."""
+        return asdict(self)
+
+    @classmethod
+    def from_inputs(cls, inputs: Mapping[str, Any]) -> Contact:
+        """Inverse of `inputs`."""
+        return cls(**inputs)

@@ -1,0 +1,256 @@
+"""The elastic half-space: from pressure to surface displacement, Eqs. (2) and (6b).
+
+In polar coordinates the kernel 1/|x − x′| depends on θ − θ′ only, so each harmonic p_m(r) cos mθ of the pressure displaces the
+surface by a harmonic of the same order,
+
+    w_m(r) = −∫ k_m(r, r′) p_m(r′) r′ dr′,      k_m(r, r′) = ∫₀^{2π} cos mφ dφ/√(r² + r′² − 2rr′ cos φ) = 2 Q_{m−1/2}(χ)/√(rr′),
+
+with χ = (r² + r′²)/(2rr′) and Q the Legendre function of the second kind (a ring's potential).  k_m is singular like
+ln|r − r′|.  The integrals are taken over a piecewise quintic interpolant of p_m by product integration: Gauss points on every
+element, and points graded towards the target on the elements next to it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+from scipy.special import ellipe, ellipkm1
+
+from softlube.grid import RIM, PolarGrid
+from softlube.limits import far_field_profile
+
+Array = NDArray[np.floating]
+
+GAUSS_FAR = 4
+GAUSS_NEAR = 14
+NEAR = 2
+"""Elements on each side of the target that get the graded rule."""
+STENCIL = np.arange(-3, 3)
+"""Nodes of the quintic through which p is interpolated on an element, relative to its outer node."""
+
+
+def ring_kernels(n_modes: int, r: Array, r_source: Array) -> Array:
+    """Ring kernels k_m(r, r′) for m = 0 … n_modes − 1.
+
+    Parameters
+    ----------
+    n_modes : int
+        Number of harmonics.
+    r, r_source : ndarray
+        Radii of target and source, positive, of shapes that broadcast; r ≠ r_source.
+
+    Returns
+    -------
+    ndarray, shape (n_modes, ...)
+
+    Notes
+    -----
+    The three-term recurrence of Q_{m−1/2} is stable forwards only next to χ = 1; elsewhere the ratios Q_{m+1/2}/Q_{m−1/2} come
+    from the backward recurrence (Miller), started so far up that the start is forgotten to round-off.  Both are anchored at
+    Q_{−1/2} and Q_{1/2}, which are complete elliptic integrals (Abramowitz & Stegun 8.13).
+    """
+    # (χ − 1)/2 = (r − r′)²/(4rr′) is formed without cancellation.
+    excess = np.maximum((r - r_source) ** 2 / (2 * r * r_source), 1e-30)
+    shape, excess = excess.shape, excess.ravel()
+    chi = 1 + excess
+    q = np.empty((n_modes, excess.size))
+    modulus = np.sqrt(2 / (chi + 1))
+    q[0] = modulus * ellipkm1(excess / (chi + 1))
+    eta = np.log1p(excess + np.sqrt(excess * (2 + excess)))  # χ = cosh η, Q_{m−1/2} falls like e^{−mη}
+
+    forward = eta < 2.0 / n_modes
+    if n_modes > 1 and forward.any():
+        x = chi[forward]
+        before, here = q[0, forward], x * q[0, forward] - np.sqrt(2 * (x + 1)) * ellipe(2 / (x + 1))
+        q[1, forward] = here
+        for m in range(1, n_modes - 1):
+            before, here = here, (4 * m * x * here - (2 * m - 1) * before) / (2 * m + 1)
+            q[m + 1, forward] = here
+
+    for low, high in ((2.0 / n_modes, 0.5), (0.5, np.inf)):
+        band = (eta >= low) & (eta < high)
+        if n_modes == 1 or not band.any():
+            continue
+        x = chi[band]
+        start = n_modes + int(18.5 / eta[band].min()) + 2
+        ratio = np.exp(-eta[band])
+        for m in range(start, 0, -1):
+            ratio = (2 * m - 1) / (4 * m * x - (2 * m + 1) * ratio)
+            if m < n_modes:
+                q[m, band] = ratio
+        q[:, band] = np.cumprod(q[:, band], axis=0)
+
+    return q.reshape(n_modes, *shape) * (2 / np.sqrt(r * r_source))
+
+
+def _lagrange(nodes: Array, x: Array) -> Array:
+    """Lagrange weights at x (n,) for interpolation nodes (k,), shape (n, k)."""
+    weights = np.ones((x.size, nodes.size))
+    for a, node in enumerate(nodes):
+        for b, other in enumerate(nodes):
+            if a != b:
+                weights[:, a] *= (x - other) / (node - other)
+    return weights
+
+
+@dataclass(frozen=True)
+class _Interpolation:
+    """Quintic interpolation of nodal values to points of one element, with the mirror image beyond the centre."""
+
+    node: NDArray[np.intp]  # (k,) nodes; −1, −2, … are the mirror images of 0, 1, …
+    weight: Array  # (n, k)
+
+    @classmethod
+    def on_element(cls, grid: PolarGrid, element: int, xi: Array) -> _Interpolation:
+        node = element + STENCIL
+        node = node - max(0, int(node[-1]) - (grid.shape[0] - 1))
+        return cls(node, _lagrange(node + 0.5, xi / grid.d_xi))
+
+
+def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
+    """Product-integration matrices of the ring kernels on the nodes of the grid.
+
+    Returns
+    -------
+    kernels : ndarray, shape (n_modes, N, N)
+        ``kernels[m] @ p_m`` is ∫ k_m p_m r′ dr′ up to the outermost node; N counts the rim nodes.
+    weights : ndarray, shape (N,)
+        ``weights @ p_0`` is ∫ p₀ r′ dr′.
+    """
+    n = grid.shape[0]
+    edges = np.concatenate([[0.0], grid.xi])  # element e lies between edges[e] and edges[e + 1]
+    parity = (-1.0) ** np.arange(n_modes)[:, None]
+    gauss, gauss_weight = (np.array(a) for a in leggauss(GAUSS_FAR))
+    points = edges[:-1, None] + np.diff(edges)[:, None] * (gauss + 1) / 2
+    r_points = grid.r_of(points)
+    measure = np.diff(edges)[:, None] * gauss_weight / 2 * grid.dr_dxi(r_points) * r_points
+
+    direct, mirror = np.zeros((2, n, GAUSS_FAR, n))
+    for element in range(n):
+        at = _Interpolation.on_element(grid, element, points[element])
+        for column, node in enumerate(at.node):
+            (direct if node >= 0 else mirror)[element, :, node if node >= 0 else -1 - node] += at.weight[:, column]
+    direct, mirror = direct.reshape(-1, n), mirror.reshape(-1, n)
+
+    # Far elements: plain Gauss.  The near ones are masked out here and added below.
+    kernel = ring_kernels(n_modes, grid.r[:, None], r_points.ravel()) * measure.ravel()
+    target, element = np.indices((n, n))
+    near = (element > target - NEAR) & (element <= target + NEAR)
+    kernel *= ~np.repeat(near, GAUSS_FAR, axis=1)
+    flat = kernel.reshape(n_modes * n, -1)
+    result = (flat @ direct).reshape(n_modes, n, n) + parity[:, :, None] * (flat @ mirror).reshape(n_modes, n, n)
+
+    # Near elements: ξ = target-side end ± L t⁴ removes the logarithm and follows kernels that are narrow for large m.
+    t, t_weight = ((leggauss(GAUSS_NEAR)[0] + 1) / 2, leggauss(GAUSS_NEAR)[1] / 2)
+    pairs = np.argwhere(near)
+    low, length = edges[pairs[:, 1]], np.diff(edges)[pairs[:, 1]]
+    fraction = np.where((pairs[:, 1] <= pairs[:, 0])[:, None], 1 - t**4, t**4)
+    xi_near = low[:, None] + length[:, None] * fraction
+    r_near = grid.r_of(xi_near)
+    jacobian = length[:, None] * (4 * t**3 * t_weight) * grid.dr_dxi(r_near) * r_near
+    near_kernel = ring_kernels(n_modes, grid.r[pairs[:, 0], None], r_near) * jacobian
+    for pair, (i, e) in enumerate(pairs):
+        at = _Interpolation.on_element(grid, e, xi_near[pair])
+        contribution = near_kernel[:, pair] @ at.weight
+        inner = at.node >= 0
+        result[:, i, at.node[inner]] += contribution[:, inner]
+        result[:, i, -1 - at.node[~inner]] += parity * contribution[:, ~inner]
+
+    return result, measure.ravel() @ (direct + mirror)
+
+
+def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
+    """Between nodal values in θ and cosine coefficients.
+
+    The nodal values define a trigonometric polynomial in the uniform coordinate s; its coefficients in cos mθ are computed by
+    the trapezoidal rule, which converges geometrically here.
+
+    Returns
+    -------
+    synthesis : ndarray, shape (n_theta + 1, n_modes)
+        cos(mθ_k).
+    analysis : ndarray, shape (n_modes, n_theta + 1)
+        Nodal values to coefficients.
+    """
+    m_nodal = np.arange(grid.n_theta + 1)
+    half = np.where((m_nodal == 0) | (m_nodal == grid.n_theta), 0.5, 1.0)
+    nodal = np.cos(np.outer(m_nodal, grid.s)) * half * half[:, None] * 2 / grid.n_theta
+    if grid.side_spacing == 1:
+        return np.cos(np.outer(grid.theta, m_nodal)), nodal
+    n_modes = int(2 * grid.n_theta / grid.side_spacing) + 1
+    n_fine = 4 * n_modes
+    s = np.arange(n_fine + 1) * np.pi / n_fine
+    weight = np.full(n_fine + 1, 2.0 / n_fine)
+    weight[[0, -1]] /= 2
+    m = np.arange(n_modes)
+    analysis = (np.cos(np.outer(m, grid.theta_of(s))) * (weight * grid.dtheta_ds(s))) @ (np.cos(np.outer(s, m_nodal)) @ nodal)
+    analysis[0] /= 2
+    return np.cos(np.outer(grid.theta, m)), analysis
+
+
+@dataclass(frozen=True)
+class HalfSpace:
+    """Displacement of the half-space under the nodal pressures of a grid and the far field beyond it.
+
+    Attributes
+    ----------
+    influence : ndarray, shape (n, n), n = number of nodes with the rim
+        Minus the displacement at the nodes (row) under nodal pressures (column): w = −influence @ p − (far field's share).
+    load_weights : ndarray, shape (n,)
+        Weights of ∫p dA over the disc inside the outermost node, whole plane (both halves).
+    far_pressure : ndarray, shape (2, n)
+        Far field at the nodes per unit of 1/β: p = (far_pressure[0] + h₀ far_pressure[1])/β.
+    far_displacement : ndarray, shape (2, n)
+        Displacement, sign reversed, by the far field beyond the outermost node, in the same two parts.
+    far_load : ndarray, shape (2,)
+        Load carried beyond the outermost node, in the same two parts.
+    """
+
+    influence: Array
+    load_weights: Array
+    far_pressure: Array
+    far_displacement: Array
+    far_load: Array
+
+
+def half_space(grid: PolarGrid, cavitation: str) -> HalfSpace:
+    """Assemble the elastic operator of a grid; Eq. (6b)."""
+    synthesis, analysis = angular_transform(grid)
+    n_modes = analysis.shape[0]
+    radial, weights = radial_operators(grid, n_modes)
+    n_r, n_angles = grid.shape
+    blocks = (synthesis.T[:, :, None] * analysis[:, None, :]).reshape(n_modes, -1)
+    influence = (radial.reshape(n_modes, -1).T @ blocks).reshape(n_r, n_r, n_angles, n_angles)
+    influence = influence.transpose(0, 2, 1, 3).reshape(n_r * n_angles, -1)
+
+    # Beyond the contact u = h₀ + r²/2 up to O(1/r), so p = f(θ)/(βr³)·(1 − 4h₀/r²), Eq. (9) with its first correction
+    # (from Kapitza's solution).  With r′ = a/t the integral over (a, ∞) becomes one over t in (0, 1).
+    profile = far_field_profile(grid.theta, cavitation)
+    far_pressure = np.stack([np.outer(grid.r**-3.0, profile), np.outer(-4 * grid.r**-5.0, profile)]).reshape(2, -1)
+    a = grid.r[-1]
+    x, x_weight = leggauss(24)
+    t = 1 - ((x + 1) / 2) ** 3
+    dt = 3 * ((x + 1) / 2) ** 2 * x_weight / 2
+    kernel = ring_kernels(n_modes, grid.r[:, None], a / t) / a * dt
+    # The profile has a kink in its second derivative at the front, so its coefficients are taken on a fine mesh.
+    angle = (np.arange(4000) + 0.5) * np.pi / 4000
+    harmonics = np.cos(np.outer(np.arange(n_modes), angle)) @ far_field_profile(angle, cavitation) * 2 / 4000
+    harmonics[0] /= 2
+    parts = np.stack([kernel.sum(-1), kernel @ (-4 * (t / a) ** 2)])
+    far_displacement = np.einsum("m,pmr,km->prk", harmonics, parts, synthesis).reshape(2, -1)
+
+    return HalfSpace(
+        influence=influence,
+        load_weights=2 * np.pi * np.outer(weights, analysis[0]).ravel(),
+        far_pressure=far_pressure,
+        far_displacement=far_displacement,
+        far_load=2 * np.pi * harmonics[0] * np.array([1 / a, -4 / (3 * a**3)]),
+    )
+
+
+def rim_slice(grid: PolarGrid) -> slice:
+    """The rim nodes in a flattened field."""
+    return slice(grid.n_unknown, grid.n_unknown + RIM * grid.shape[1])

@@ -1,0 +1,176 @@
+"""The polar grid: graded towards the contact edge r = 1 and towards the sides θ = 90°.
+
+Both directions are smooth images of uniform coordinates, r(ξ) and θ(s), so that every difference formula is one for a
+uniform mesh.  The grid knows no physics.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.floating]
+
+RIM = 2
+"""Rows of nodes beyond the outermost cell, where the far field is imposed."""
+
+
+THINNING, WIDE = 0.8, 2.0
+"""How much the mesh is thinned beyond the contact, and from where (over the contact radius)."""
+
+
+@dataclass(frozen=True)
+class PolarGrid:
+    """Half of the plane, 0 ≤ θ ≤ π, in cells that are uniform in (ξ, s).
+
+    Radially, with ρ = r/`edge` and d = `layer`, ξ(r) = asinh((ρ − 1)/d) + asinh((ρ + 1)/d) − 0.8 asinh(ρ/2): cells are about d
+    wide (over `edge`, in units of Δξ) at the contact edge and grow in proportion to the distance from it, faster far outside
+    where the pressure is a power of r.  ξ is odd in r, so the mesh continues smoothly through the centre to the opposite
+    side, (−r, θ) = (r, π − θ).
+
+    Angularly, θ(s) = s + arctan[q sin 2s/(1 − q cos 2s)] with q = (1 − c)/(1 + c), c = `side_spacing`: dθ/ds is c at 90° and
+    1/c on the axis, and functions even and periodic in θ are so in s.
+
+    Parameters
+    ----------
+    n_r, n_theta : int
+        Number of cells along r, and of intervals along θ (n_theta + 1 nodes, the axis included at both ends).
+    layer : float
+        Width of the refined zone at the contact edge, relative to `edge`.
+    side_spacing : float
+        Angular spacing at θ = 90° relative to the mean one, 0 < c ≤ 1.
+    reach : float
+        Outer radius of the last cell, relative to `edge`.
+    edge : float
+        Radius of the contact edge in the units of the problem.
+    """
+
+    n_r: int
+    n_theta: int
+    layer: float = 0.05
+    side_spacing: float = 0.6
+    reach: float = 20.0
+    edge: float = 1.0
+
+    def __post_init__(self) -> None:
+        if self.n_r < 8 or self.n_theta < 6:
+            raise ValueError(f"a polar grid needs n_r >= 8 and n_theta >= 6, not {self.n_r} x {self.n_theta}")
+        if not (self.layer > 0 and 0 < self.side_spacing <= 1 and self.reach > 1 and self.edge > 0):
+            raise ValueError("a polar grid needs layer > 0, 0 < side_spacing <= 1, reach > 1 and edge > 0")
+
+    # --- radial direction -------------------------------------------------------------------------------------------
+
+    def xi_of(self, r: ArrayLike) -> Array:
+        """Uniform radial coordinate ξ of radius r."""
+        rho = np.asarray(r, dtype=float) / self.edge
+        edges = np.arcsinh((rho - 1) / self.layer) + np.arcsinh((rho + 1) / self.layer)
+        return edges - THINNING * np.arcsinh(rho / WIDE)
+
+    def r_of(self, xi: ArrayLike) -> Array:
+        """Radius r of the uniform coordinate ξ (Newton's method on `xi_of`, to round-off)."""
+        xi = np.asarray(xi, dtype=float)
+        d = self.layer
+        table = np.sinh(np.linspace(0, np.arcsinh(2 * self.reach / d), 400)) * d
+        rho = np.interp(np.abs(xi), self.xi_of(table * self.edge), table)
+        for _ in range(60):
+            step = (self.xi_of(rho * self.edge) - np.abs(xi)) * self.dr_dxi(rho * self.edge) / self.edge
+            rho = np.abs(rho - step)
+            if np.all(np.abs(step) <= 4e-16 * (1 + rho)):
+                break
+        return np.sign(xi) * rho * self.edge
+
+    def dr_dxi(self, r: ArrayLike) -> Array:
+        """Derivative dr/dξ at radius r."""
+        rho = np.asarray(r, dtype=float) / self.edge
+        density = 1 / np.hypot(self.layer, rho - 1) + 1 / np.hypot(self.layer, rho + 1) - THINNING / np.hypot(WIDE, rho)
+        return self.edge / density
+
+    @cached_property
+    def d_xi(self) -> float:
+        """Spacing of ξ."""
+        return float(self.xi_of(self.reach * self.edge)) / self.n_r
+
+    @cached_property
+    def xi(self) -> Array:
+        """ξ at the nodes (cell centres, then RIM nodes beyond the rim), shape (n_r + RIM,)."""
+        return (np.arange(self.n_r + RIM) + 0.5) * self.d_xi
+
+    @cached_property
+    def r(self) -> Array:
+        """Radius of the nodes, shape (n_r + RIM,)."""
+        return self.r_of(self.xi)
+
+    @cached_property
+    def r_face(self) -> Array:
+        """Radius of the cell faces, from the centre outwards, shape (n_r + RIM,)."""
+        return self.r_of(np.arange(self.n_r + RIM) * self.d_xi)
+
+    # --- angular direction ------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _q(self) -> float:
+        return (1 - self.side_spacing) / (1 + self.side_spacing)
+
+    def theta_of(self, s: ArrayLike) -> Array:
+        """Angle θ of the uniform coordinate s."""
+        s = np.asarray(s, dtype=float)
+        return s + np.arctan2(self._q * np.sin(2 * s), 1 - self._q * np.cos(2 * s))
+
+    def s_of(self, theta: ArrayLike) -> Array:
+        """Uniform coordinate s of angle θ in [0, π]."""
+        theta = np.asarray(theta, dtype=float)
+        s = theta
+        for _ in range(50):
+            step = (self.theta_of(s) - theta) / self.dtheta_ds(s)
+            s = s - np.clip(step, -0.5, 0.5)
+            if np.all(np.abs(step) < 1e-15):
+                break
+        return s
+
+    def dtheta_ds(self, s: ArrayLike) -> Array:
+        """Derivative dθ/ds at s."""
+        cosine = np.cos(2 * np.asarray(s, dtype=float))
+        return 1 + 2 * self._q * (cosine - self._q) / (1 - 2 * self._q * cosine + self._q**2)
+
+    @cached_property
+    def d_s(self) -> float:
+        """Spacing of s."""
+        return np.pi / self.n_theta
+
+    @cached_property
+    def s(self) -> Array:
+        """Coordinate s of the nodes, 0 … π, shape (n_theta + 1,)."""
+        return np.arange(self.n_theta + 1) * self.d_s
+
+    @cached_property
+    def s_face(self) -> Array:
+        """Coordinate s half-way between the nodes, shape (n_theta,)."""
+        return (np.arange(self.n_theta) + 0.5) * self.d_s
+
+    @cached_property
+    def theta(self) -> Array:
+        """Angle of the nodes, shape (n_theta + 1,)."""
+        return self.theta_of(self.s)
+
+    # --- the whole --------------------------------------------------------------------------------------------------
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Shape of a field on the nodes, rim included."""
+        return self.n_r + RIM, self.n_theta + 1
+
+    @property
+    def n_unknown(self) -> int:
+        """Number of nodes where the pressure is unknown (all but the rim)."""
+        return self.n_r * (self.n_theta + 1)
+
+    def scaled(self, factor: float) -> PolarGrid:
+        """The same grid with every radius multiplied by `factor`."""
+        return replace(self, edge=self.edge * factor)
+
+    def resized(self, n_r: int, n_theta: int) -> PolarGrid:
+        """The same grading with other numbers of cells."""
+        return replace(self, n_r=n_r, n_theta=n_theta)

@@ -1,0 +1,141 @@
+"""Files: a solution as NetCDF, written whole or not at all."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import asdict
+from importlib.metadata import version
+
+import numpy as np
+import xarray as xr
+
+from softlube.contact import Contact
+from softlube.errors import InputError
+from softlube.fields import Fields
+from softlube.files import check_destination, whole_file
+from softlube.grid import PolarGrid
+from softlube.newton import Iteration
+from softlube.problem import Problem
+from softlube.quantities import DESCRIPTION
+from softlube.solution import Level, Quantity, Solution
+
+SI_SUFFIX = "_SI"
+FIELD_NAMES = {"pressure": "pressure", "film": "film thickness", "displacement": "surface displacement of the substrate"}
+
+
+def to_dataset(solution: Solution) -> xr.Dataset:
+    """Fields, quantities, inputs and version as one Dataset.
+
+    Fields are on (r, theta), 0 ≤ θ ≤ π from the inlet, normalised with |h₀| as in the paper; so are the scalar quantities, with
+    their error among the attributes.  With physical input the same names ending in ``_SI`` are in SI units.
+    """
+    fields = solution.fields
+    displacement = (-1 + fields.r[:, None] ** 2 / 2) - fields.film
+    values = {"pressure": fields.pressure, "film": fields.film, "displacement": displacement}
+    data: dict[str, xr.DataArray] = {
+        name: xr.DataArray(values[name], dims=("r", "theta"), attrs={"long_name": text, "units": "1"})
+        for name, text in FIELD_NAMES.items()
+    }
+    for quantities, suffix in ((solution.quantities, ""), (solution.dimensional, SI_SUFFIX)):
+        for name, quantity in quantities.items():
+            attributes = {"long_name": DESCRIPTION.get(name, name.replace("_", " ")), "units": quantity.unit or "1"}
+            data[name + suffix] = xr.DataArray(float(quantity), attrs=attributes | {"error": quantity.error})
+    coordinates = {
+        "r": ("r", fields.r, {"long_name": "distance from the axis over the contact radius", "units": "1"}),
+        "theta": ("theta", fields.theta, {"long_name": "angle from the inlet", "units": "rad"}),
+    }
+    chart = fields.chart
+    attributes = {
+        "title": "Lubricated sliding of a rigid sphere on an elastic half-space",
+        "softlube_version": version("softlube"),
+        "method": solution.method,
+        "converged": int(solution.converged),
+        "beta": solution.beta,
+        "beta_load": solution.beta_load,
+        "cavitation": solution.problem.cavitation,
+        "accuracy": solution.accuracy,
+        "problem": json.dumps(asdict(solution.problem)),
+        "grid": json.dumps(asdict(chart)) if isinstance(chart, PolarGrid) else "",
+        "levels": json.dumps([asdict(level) for level in solution.levels], default=float),
+        "warnings": json.dumps(list(solution.warnings)),
+    }
+    if solution.contact is not None:
+        contact = solution.contact
+        attributes["inputs_SI"] = json.dumps(contact.inputs())
+        length, height = float(solution.dimensional["contact_radius"]), float(solution.dimensional["indentation"])
+        pressure = float(solution.dimensional["pressure_center"]) / float(solution.quantities["pressure_center"])
+        for name, scale, unit in (("pressure", pressure, "Pa"), ("film", height, "m"), ("displacement", height, "m")):
+            attrs = {"long_name": FIELD_NAMES[name], "units": unit}
+            data[name + SI_SUFFIX] = xr.DataArray(values[name] * scale, dims=("r", "theta"), attrs=attrs)
+        coordinates["r" + SI_SUFFIX] = ("r", fields.r * length, {"long_name": "distance from the axis", "units": "m"})
+    return xr.Dataset(data, coords=coordinates, attrs=attributes)
+
+
+def save(solution: Solution, path: str | os.PathLike[str]) -> None:
+    """Write a solution as NetCDF 4.
+
+    Raises
+    ------
+    InputError
+        If the folder does not exist.
+    """
+    with whole_file(check_destination("output", path)) as temporary:
+        to_dataset(solution).to_netcdf(temporary, engine="h5netcdf")
+
+
+def load(path: str | os.PathLike[str]) -> Solution:
+    """Read a solution written by `save` or ``softlube solve --output``.
+
+    Raises
+    ------
+    InputError
+        If the file is missing or was not written by softlube.
+    """
+    try:
+        with xr.open_dataset(path, engine="h5netcdf") as opened:
+            data = opened.load()
+    except FileNotFoundError:
+        raise InputError(f"path: {str(path)!r} does not exist") from None
+    except OSError as error:
+        raise InputError(f"path: {str(path)!r} is not a NetCDF file ({error})") from None
+    if "softlube_version" not in data.attrs or not data.attrs.get("grid"):
+        raise InputError(f"path: {str(path)!r} does not hold a solution that softlube can take up again")
+
+    def read(suffix: str) -> dict[str, Quantity]:
+        return {
+            str(name).removesuffix(suffix): Quantity(
+                float(item), item.attrs["error"], "" if item.attrs["units"] == "1" else item.attrs["units"]
+            )
+            for name, item in data.data_vars.items()
+            if item.ndim == 0 and str(name).endswith(SI_SUFFIX) == bool(suffix)
+        }
+
+    attrs: Mapping = data.attrs
+    problem = Problem(**json.loads(attrs["problem"]))
+    quantities = read("")
+    levels = json.loads(attrs["levels"])
+    return Solution(
+        problem=problem,
+        fields=Fields(
+            chart=PolarGrid(**json.loads(attrs["grid"])),
+            r=data.r.to_numpy(),
+            theta=data.theta.to_numpy(),
+            pressure=data.pressure.to_numpy(),
+            film=data.film.to_numpy(),
+            beta=float(attrs["beta"]),
+            cavitation=problem.cavitation,
+            load=float(quantities["load"]),
+        ),
+        quantities=quantities,
+        beta=float(attrs["beta"]),
+        beta_load=float(attrs["beta_load"]),
+        accuracy=float(attrs["accuracy"]),
+        levels=tuple(Level(**(level | {"history": tuple(Iteration(**step) for step in level["history"])})) for level in levels),
+        method=str(attrs["method"]),
+        converged=bool(np.asarray(attrs["converged"]).item()),
+        contact=Contact.from_inputs(json.loads(attrs["inputs_SI"])) if "inputs_SI" in attrs else None,
+        dimensional=read(SI_SUFFIX),
+        warnings=tuple(json.loads(attrs["warnings"])),
+    )

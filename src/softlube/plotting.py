@@ -1,0 +1,191 @@
+"""Pictures of a solution; the only module, with `figures`, that touches axes."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from softlube.errors import InputError
+from softlube.limits import hertz_pressure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from softlube.solution import Solution
+
+MAP_RADIUS = 1.4
+PROFILE_RADIUS = 2.0
+FILM_COLOUR, PRESSURE_COLOUR = "#0072B2", "#D55E00"  # Okabe & Ito, safe for colour-blind readers
+STYLE = {
+    "font.size": 8,
+    "axes.labelsize": 8,
+    "axes.titlesize": 8,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "legend.fontsize": 7,
+    "axes.linewidth": 0.6,
+    "lines.linewidth": 1.1,
+    "savefig.dpi": 300,
+    "font.family": "sans-serif",
+    "mathtext.fontset": "dejavusans",
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
+}
+
+
+def check_format(name: str, path: str | os.PathLike[str]) -> None:
+    """Refuse a picture format that matplotlib cannot write, before anything is solved.
+
+    Raises
+    ------
+    InputError
+    """
+    ending = os.path.splitext(path)[1].lower().lstrip(".")
+    if ending not in ("png", "pdf", "svg"):
+        raise InputError(f"{name}: expected a file ending in .png, .pdf or .svg, got {os.fspath(path)!r}")
+
+
+def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
+    """Length, film and pressure: factor from normalised to the plotted unit, and label."""
+    if solution.contact is None:
+        return 1.0, r"$\,/\,\sqrt{R|h_0|}$", 1.0, r"film $u/|h_0|$", 1.0, r"pressure $p\,/\,4\pi G\sqrt{|h_0|/R}$"
+    dimensional, quantities = solution.dimensional, solution.quantities
+
+    def scale(name: str) -> float:
+        return float(dimensional[name]) / float(quantities[name])
+
+    film_factor, film_unit = _prefixed(float(dimensional["film_center"]), "m")
+    pressure_factor, pressure_unit = _prefixed(float(dimensional["pressure_max"]), "Pa")
+    length_factor, length_unit = _prefixed(float(dimensional["contact_radius"]), "m")
+    return (
+        float(dimensional["contact_radius"]) * length_factor,
+        f" [{length_unit}]",
+        scale("film_center") * film_factor,
+        f"film $u$ [{film_unit}]",
+        scale("pressure_center") * pressure_factor,
+        f"pressure $p$ [{pressure_unit}]",
+    )
+
+
+def _prefixed(value: float, unit: str) -> tuple[float, str]:
+    """Factor and symbol of the SI prefix that suits a value."""
+    for exponent, prefix in ((-9, "n"), (-6, "µ"), (-3, "m"), (0, ""), (3, "k"), (6, "M"), (9, "G")):
+        if value < 10.0 ** (exponent + 3):
+            return 10.0**-exponent, prefix + unit
+    return 1.0, unit
+
+
+def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figure:
+    """Maps of film and pressure, and their profiles in the two mid-planes.
+
+    The inlet is on the right, as in the paper: the sphere slides in the direction +x.
+
+    Parameters
+    ----------
+    solution : Solution
+        Physical or dimensionless; the axes follow.
+    path : path-like, optional
+        Where to write the picture; its ending (.png, .pdf, .svg) gives the format.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    import matplotlib as mpl
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(6.9, 5.6), layout="constrained")
+        FigureCanvasAgg(figure)
+        axes = figure.subplots(2, 2, height_ratios=(1.35, 1))
+        _map(axes[0, 0], solution, "film")
+        _map(axes[0, 1], solution, "pressure")
+        _profile(axes[1, 0], solution, "x")
+        _profile(axes[1, 1], solution, "y")
+        for label, ax in zip("abcd", axes.flat, strict=True):
+            ax.set_title(f"({label})", loc="left")
+        figure.suptitle(rf"$\beta$ = {solution.beta:.{max(0, 3 - int(np.log10(solution.beta)))}f}", fontsize=9)
+        if path is not None:
+            from softlube.files import check_destination, whole_file
+
+            check_format("plot", path)
+            with whole_file(check_destination("plot", path)) as temporary:
+                figure.savefig(temporary)
+    return figure
+
+
+def _map(ax: Axes, solution: Solution, field: str) -> None:
+    """One field over the plane, with the Hertz contact as a circle."""
+    from matplotlib.ticker import MaxNLocator
+
+    length, length_label, film, film_label, pressure, pressure_label = _scales(solution)
+    axis = np.linspace(-MAP_RADIUS, MAP_RADIUS, 401)
+    x, y = np.meshgrid(axis, axis)
+    r, theta = np.hypot(x, y), np.arctan2(y, x)
+    fields = solution.fields
+    if field == "film":
+        values = fields.film_at(r, theta) * film
+        # The film outside the contact is tens of times that inside, where the interest lies.
+        high = 1.8 * float(solution.quantities["film_center"]) * film
+        levels = MaxNLocator(24).tick_values(float(solution.quantities["film_min"]) * film, high)
+        mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap="viridis", extend="max")
+        label = film_label
+        r_min, angle = (
+            float(solution.quantities["film_min_radius"]),
+            np.radians(float(solution.quantities["film_min_angle_deg"])),
+        )
+        spots = np.array([1, -1]) * r_min * np.sin(angle)
+        ax.plot([r_min * np.cos(angle) * length] * 2, spots * length, "+", color="white", ms=5, mew=0.9)
+    else:
+        values = fields.pressure_at(r, theta) * pressure
+        levels = MaxNLocator(14).tick_values(min(values.min(), 0.0), values.max())
+        mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap="magma")
+        label = pressure_label
+    mesh.set_edgecolor("face")
+    angle = np.linspace(0, 2 * np.pi, 200)
+    ax.plot(np.cos(angle) * length, np.sin(angle) * length, "--", color="white", lw=0.7)
+    ax.annotate(
+        "inlet", (0.985, 0.5), xycoords="axes fraction", ha="right", va="center", rotation=-90, color="white", fontsize=7
+    )
+    ax.set(aspect="equal", xlabel=f"$x${length_label}", ylabel=f"$y${length_label}")
+    bar = ax.figure.colorbar(mesh, cax=ax.inset_axes((1.04, 0, 0.05, 1)), label=label, ticks=levels[::2])
+    bar.outline.set_linewidth(0.5)
+
+
+def _profile(ax: Axes, solution: Solution, direction: str) -> None:
+    """Film (left axis) and pressure (right axis) along x or y."""
+    length, length_label, film, film_label, pressure, pressure_label = _scales(solution)
+    fields = solution.fields
+    place = _dense_line(solution)
+    theta = (np.where(place >= 0, 0.0, np.pi)) if direction == "x" else np.pi / 2
+    r = np.abs(place)
+    center = float(solution.quantities["film_center"]) * film
+    ax.plot(place * length, fields.film_at(r, theta) * film, color=FILM_COLOUR)
+    ax.set(
+        xlabel=f"${direction}${length_label}",
+        xlim=(-PROFILE_RADIUS * length, PROFILE_RADIUS * length),
+        ylim=(0, 3.5 * center),
+    )
+    ax.set_ylabel(film_label, color=FILM_COLOUR)
+    ax.tick_params(axis="y", colors=FILM_COLOUR)
+    other = ax.twinx()
+    other.plot(place * length, fields.pressure_at(r, theta) * pressure, color=PRESSURE_COLOUR)
+    other.plot(place * length, hertz_pressure(r) * pressure, ":", color="0.35", lw=0.9, label="Hertz")
+    other.set_ylabel(pressure_label, color=PRESSURE_COLOUR)
+    other.tick_params(axis="y", colors=PRESSURE_COLOUR)
+    if solution.problem.cavitation == "reynolds":
+        other.set_ylim(0, 1.15 * float(solution.quantities["pressure_max"]) * pressure)
+    other.legend(loc="upper center", frameon=False)
+
+
+def _dense_line(solution: Solution) -> NDArray[np.float64]:
+    """Points along a diameter, dense where the grid is."""
+    nodes = solution.fields.r
+    fine = np.interp(np.arange(0, nodes.size - 1, 0.125), np.arange(nodes.size), nodes)
+    fine = np.concatenate([[0.0], fine[fine < PROFILE_RADIUS], [PROFILE_RADIUS]])
+    return np.concatenate([-fine[::-1], fine[1:]])

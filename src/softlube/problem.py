@@ -1,0 +1,62 @@
+"""What is solved, in dimensionless numbers only."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from softlube.errors import InputError
+
+Cavitation = Literal["reynolds", "none"]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A sphere sliding over a half-space, normalised as in the paper.
+
+    Exactly one of `beta` and `beta_load` is given.
+
+    Parameters
+    ----------
+    beta : float, optional
+        β = (2/3)(h₀²/R) πG/(ηv), Eq. (6d): the indentation |h₀| (h₀ < 0) is prescribed.
+    beta_load : float, optional
+        The same with the Hertz indentation δ of the load in place of |h₀|, Eq. (30): the load is prescribed, h₀ is unknown.
+    cavitation : {"reynolds", "none"}
+        Reynolds condition (p ≥ 0, Eq. 17 ff.), or negative pressures allowed.
+
+    Raises
+    ------
+    InputError
+        If not exactly one of β and β_load is given, or one is not positive and finite, or the cavitation model is unknown.
+    """
+
+    beta: float | None = None
+    beta_load: float | None = None
+    cavitation: Cavitation = "reynolds"
+
+    def __post_init__(self) -> None:
+        if (self.beta is None) == (self.beta_load is None):
+            raise InputError("beta, beta_load: give exactly one of them")
+        name = "beta" if self.beta is not None else "beta_load"
+        value = getattr(self, name)
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            number = math.nan
+        if isinstance(value, (bool, str)) or not (math.isfinite(number) and number > 0):
+            raise InputError(f"{name}: expected a positive, finite number, got {value!r}")
+        object.__setattr__(self, name, number)
+        if self.cavitation not in get_args(Cavitation):
+            raise InputError(f"cavitation: expected 'reynolds' or 'none', got {self.cavitation!r}")
+
+    @property
+    def load_controlled(self) -> bool:
+        """Whether the load is prescribed and h₀ unknown."""
+        return self.beta_load is not None
+
+    @property
+    def parameter(self) -> float:
+        """β, or β_load under load control."""
+        return float(self.beta if self.beta is not None else self.beta_load)  # type: ignore[arg-type]

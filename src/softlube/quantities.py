@@ -1,0 +1,184 @@
+"""Numbers read off a solution: loads, films, gradients, friction; Eqs. (20)-(22), (25)-(27).
+
+Everything is normalised with |h₀| as in the paper.  Extrema are found between the nodes, and integrals are exact for the
+interpolated fields up to quadrature of high order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+
+from softlube.fields import Fields
+
+Array = NDArray[np.floating]
+
+CONTACT = 1.0
+"""Cut-off radius of `load_contact` and `friction_contact`: the Hertz contact, as Eq. (27) is printed."""
+DOMAIN = 2.0
+"""Cut-off radius of `friction_domain`: the paper's whole computational domain, where Eq. (28) comes from."""
+BOUNDARY_LAYER_LEVEL = 0.05
+"""p/p_max at the end of the inlet boundary layer, Eq. (21)."""
+
+INLET, OUTLET = np.array([0.0]), np.array([np.pi])
+"""The two halves of the x axis, as coordinates s."""
+
+DESCRIPTION = {
+    "load": "normal load, whole plane",
+    "load_contact": "normal load over r ≤ a",
+    "film_center": "film at the centre",
+    "film_min": "minimum film",
+    "film_min_radius": "radius of the minimum film",
+    "film_min_angle_deg": "angle of the minimum film from the inlet",
+    "film_inlet": "film at the inlet, r = a",
+    "film_outlet_min": "minimum film on the outlet axis",
+    "pressure_center": "pressure at the centre",
+    "pressure_max": "maximum pressure",
+    "pressure_gradient_inlet": "largest |dp/dr| on the inlet axis",
+    "boundary_layer": "inlet boundary layer, to p/p_max = 5 %",
+    "friction_contact": "friction force over r ≤ a",
+    "friction_domain": "friction force over r ≤ 2a",
+    "shear_rate_max": "maximum shear rate at the walls",
+}
+
+
+def _zoom(f: Callable[[Array], Array], low: float, high: float, rounds: int = 5) -> tuple[float, float]:
+    """Place and value of the minimum of f on [low, high] (f takes an increasing array), by repeated finer sampling."""
+    best = low, np.inf
+    for _ in range(rounds):
+        x = np.linspace(low, high, 65)
+        values = f(x)
+        i = int(np.argmin(values))
+        best = float(x[i]), float(values[i])
+        low, high = float(x[max(i - 1, 0)]), float(x[min(i + 1, 64)])
+    return best
+
+
+def _zoom_plane(f: Callable[[Array, Array], Array], xi: Array, s: Array, rounds: int = 7) -> tuple[float, float, float]:
+    """Place (ξ, s) and value of the minimum of f over the product of two ranges, first sampled as given."""
+    best = float(xi[0]), float(s[0]), np.inf
+    for _ in range(rounds):
+        values = f(xi, s)
+        i, k = np.unravel_index(int(np.argmin(values)), values.shape)
+        best = float(xi[i]), float(s[k]), float(values[i, k])
+        xi = np.linspace(xi[max(i - 1, 0)], xi[min(i + 1, xi.size - 1)], 17)
+        if i > 0:  # at the centre every angle is the same place, and none may be ruled out
+            s = np.linspace(s[max(k - 1, 0)], s[min(k + 1, s.size - 1)], 17)
+    return best
+
+
+def _fine(nodes: Array, low: float, high: float, parts: int) -> Array:
+    """Every interval between the nodes cut in equal parts, then clipped to [low, high]."""
+    cut = np.interp(np.arange((nodes.size - 1) * parts + 1) / parts, np.arange(nodes.size), nodes)
+    return np.concatenate([[low], cut[(cut > low) & (cut < high)], [high]])
+
+
+def integrate(fields: Fields, integrand: Callable[[Array, Array], Array], cutoff: float) -> float:
+    """∫ f dA over the disc r ≤ cutoff, both halves.
+
+    Parameters
+    ----------
+    fields : Fields
+        Where to integrate.
+    integrand : callable
+        f(ξ, s) on the product of two increasing arrays of chart coordinates, ξ > 0.
+    cutoff : float
+        Radius, at most that of the fields' outermost node.
+    """
+    if not 0 < cutoff <= fields.r[-1]:
+        raise ValueError(f"cutoff: expected a radius between 0 and {fields.r[-1]:.4g}, got {cutoff!r}")
+    chart = fields.chart
+    edges = _fine(chart.xi_of(fields.r), 0.0, float(chart.xi_of(cutoff)), 1)
+    x, weight = leggauss(4)
+    xi = (edges[:-1, None] + np.diff(edges)[:, None] * (x + 1) / 2).ravel()
+    r = chart.r_of(xi)
+    across = (np.diff(edges)[:, None] * weight / 2).ravel() * chart.dr_dxi(r) * r
+    s = np.linspace(0, np.pi, 4 * (fields.theta.size - 1) + 1)
+    along = np.full(s.size, s[1]) * chart.dtheta_ds(s)
+    along[[0, -1]] /= 2
+    return float(2 * across @ integrand(xi, s) @ along)
+
+
+def load_within(fields: Fields, cutoff: float) -> float:
+    """Load ∫p dA over r ≤ cutoff, Eq. (27b)."""
+    return integrate(fields, lambda xi, s: fields.pressure_spline(xi, s), cutoff)
+
+
+def friction_within(fields: Fields, cutoff: float) -> float:
+    """Friction force on the sphere over r ≤ cutoff, Eq. (27a), in units of (2π/3) G h₀².
+
+    ∫ (3 ū ∂p̄/∂x + 1/(βū)) dA.  The Couette part grows like ln(cutoff) as the film opens, so a friction is a number only
+    together with its region.  Behind the free boundary the gap counts as full of liquid, as in the paper.
+    """
+
+    def shear(xi: Array, s: Array) -> Array:
+        film = fields.film_spline(xi, s)
+        return 3 * film * fields.gradient_on(xi, s)[0] + 1 / (fields.beta * film)
+
+    return integrate(fields, shear, cutoff)
+
+
+def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
+    """Larger of the shear rates on the two walls, Eq. (25) with its transverse component, in units of v/|h₀|."""
+    film = fields.film_spline(xi, s)
+    p_x, p_y = fields.gradient_on(xi, s)
+    poiseuille = 3 * fields.beta * film
+    return np.hypot(1 / film + np.abs(poiseuille * p_x), poiseuille * p_y)
+
+
+def measure(fields: Fields) -> dict[str, float]:
+    """All quantities of `DESCRIPTION`, dimensionless."""
+    chart = fields.chart
+    xi_nodes, s_nodes = chart.xi_of(fields.r), chart.s_of(fields.theta)
+    inside = float(chart.xi_of(min(DOMAIN, fields.r[-1])))
+    everywhere = float(xi_nodes[-1])
+    xi, s = _fine(xi_nodes, 0.0, inside, 3), _fine(s_nodes, 0.0, np.pi, 3)
+
+    xi_film, s_film, film_min = _zoom_plane(lambda a, b: fields.film_spline(a, b), xi, s)
+    pressure_max = -_zoom_plane(lambda a, b: -fields.pressure_spline(a, b), xi, s)[2]
+    shear_rate_max = -_zoom_plane(lambda a, b: -wall_shear_rate(fields, a, b), xi[1:], s)[2]
+
+    def on_axis(angle: float, f: Callable[[Array], Array], high: float) -> tuple[float, float]:
+        """Minimum along the inlet (angle 0) or outlet (π) axis."""
+        x = _fine(xi_nodes, 0.0, high, 3)
+        i = int(np.argmin(f(x)))
+        return _zoom(f, x[max(i - 1, 0)], x[min(i + 1, x.size - 1)])
+
+    def inlet_slope(x: Array) -> Array:
+        return -np.abs(fields.pressure_spline(x, INLET, dx=1)[:, 0]) / chart.dr_dxi(chart.r_of(x))
+
+    outlet_min = on_axis(np.pi, lambda x: fields.film_spline(x, OUTLET)[:, 0], inside)[1]
+    xi_slope, slope = on_axis(0.0, inlet_slope, everywhere)
+    return {
+        "load": fields.load,
+        "load_contact": load_within(fields, CONTACT),
+        "film_center": float(fields.film_at(0.0, 0.0)),
+        "film_min": film_min,
+        "film_min_radius": float(chart.r_of(xi_film)),
+        "film_min_angle_deg": float(np.degrees(chart.theta_of(s_film))),
+        "film_inlet": float(fields.film_at(CONTACT, 0.0)),
+        "film_outlet_min": outlet_min,
+        "pressure_center": float(fields.pressure_at(0.0, 0.0)),
+        "pressure_max": pressure_max,
+        "pressure_gradient_inlet": -slope,
+        "boundary_layer": _boundary_layer(fields, pressure_max, xi_slope),
+        "friction_contact": friction_within(fields, CONTACT),
+        "friction_domain": friction_within(fields, min(DOMAIN, float(fields.r[-1]))),
+        "shear_rate_max": shear_rate_max,
+    }
+
+
+def _boundary_layer(fields: Fields, pressure_max: float, xi_slope: float) -> float:
+    """Distance from r = 1 to where the pressure on the inlet axis has fallen to 5 % of its maximum, Eq. (21)."""
+    xi_nodes = fields.chart.xi_of(fields.r)
+    xi = _fine(xi_nodes, xi_slope, float(xi_nodes[-1]), 2)
+    for _ in range(6):
+        below = fields.pressure_spline(xi, INLET)[:, 0] < BOUNDARY_LAYER_LEVEL * pressure_max
+        if not below.any():
+            return float("nan")
+        i = max(int(np.argmax(below)), 1)
+        xi = np.linspace(xi[i - 1], xi[i], 33)
+    return float(fields.chart.r_of(xi.mean())) - 1

@@ -1,0 +1,177 @@
+"""A solution: fields, quantities with their errors, and how they were obtained."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from softlube.fields import Fields
+from softlube.newton import Iteration
+from softlube.problem import Problem
+
+if TYPE_CHECKING:
+    import os
+
+    import xarray
+    from matplotlib.figure import Figure
+
+    from softlube.contact import Contact
+
+
+class Quantity(float):
+    """A float that knows its error.
+
+    Attributes
+    ----------
+    error : float
+        Estimate of |value − exact|, same unit; nan where nothing is known.
+    unit : str
+        SI unit, empty for a dimensionless number.
+    """
+
+    error: float
+    unit: str
+
+    def __new__(cls, value: float, error: float = float("nan"), unit: str = "") -> Quantity:
+        self = super().__new__(cls, value)
+        self.error = float(error)
+        self.unit = unit
+        return self
+
+    def __reduce__(self) -> tuple[type[Quantity], tuple[float, float, str]]:
+        return type(self), (float(self), self.error, self.unit)
+
+    @property
+    def value(self) -> float:
+        """The plain number."""
+        return float(self)
+
+    def __repr__(self) -> str:
+        return f"{float(self):.6g} ± {self.error:.1g}" + (f" {self.unit}" if self.unit else "")
+
+    __str__ = __repr__
+
+
+@dataclass(frozen=True)
+class Level:
+    """One grid on the way to the answer: its size, the quantities on it, Newton's history."""
+
+    n_r: int
+    n_theta: int
+    values: Mapping[str, float]
+    history: tuple[Iteration, ...]
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What `softlube.solve` returns.
+
+    Quantities are attributes: ``solution.film_min`` is a float with an ``.error``; ``solution.quantities`` has them all, and
+    ``solution.dimensional`` the same in SI units if the input was physical.
+
+    Attributes
+    ----------
+    problem : Problem
+        What was solved.
+    fields : Fields
+        Pressure and film as functions of position, normalised with |h₀|; `dataset` has them as an xarray Dataset.
+    quantities : mapping of str to Quantity
+        Normalised with |h₀| as in the paper; see `softlube.quantities.DESCRIPTION`.
+    beta, beta_load : float
+        β of Eq. (6d) and β of Eq. (30).
+    accuracy : float
+        Relative accuracy asked for.
+    levels : tuple of Level
+        The grids solved, coarse to fine.
+    method : str
+        The solver: "newton", or one of the paper's.
+    converged : bool
+    contact : Contact or None
+        The physical input.
+    dimensional : mapping of str to Quantity
+        SI values; empty for a dimensionless problem.
+    warnings : tuple of str
+        Doubts about the physics of the input.
+    """
+
+    problem: Problem
+    fields: Fields
+    quantities: Mapping[str, Quantity]
+    beta: float
+    beta_load: float
+    accuracy: float
+    levels: tuple[Level, ...]
+    method: str = "newton"
+    converged: bool = True
+    contact: Contact | None = None
+    dimensional: Mapping[str, Quantity] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+
+    def __getattr__(self, name: str) -> Quantity:
+        if not name.startswith("_") and name in self.__dict__.get("quantities", {}):
+            return self.quantities[name]
+        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.quantities})
+
+    def __repr__(self) -> str:
+        return (
+            f"<Solution beta={self.beta:.6g} film_center={self.quantities['film_center']} "
+            f"film_min={self.quantities['film_min']} friction_domain={self.quantities['friction_domain']}>"
+        )
+
+    def friction_within(self, cutoff: float) -> float:
+        """Normalised friction force over r ≤ cutoff (in units of √(R|h₀|)), Eq. (27a)."""
+        from softlube.quantities import friction_within
+
+        return friction_within(self.fields, cutoff)
+
+    @property
+    def dataset(self) -> xarray.Dataset:
+        """Fields, quantities, inputs and version as one xarray Dataset."""
+        from softlube.io import to_dataset
+
+        return to_dataset(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Numbers only, ready for JSON."""
+
+        def plain(quantities: Mapping[str, Quantity], unit: bool) -> dict[str, dict[str, Any]]:
+            return {
+                name: {"value": q.value, "error": _number(q.error), **({"unit": q.unit} if unit else {})}
+                for name, q in quantities.items()
+            }
+
+        result = {
+            "beta": self.beta,
+            "beta_load": self.beta_load,
+            "cavitation": self.problem.cavitation,
+            "accuracy": self.accuracy,
+            "converged": self.converged,
+            "method": self.method,
+            "quantities": plain(self.quantities, unit=False),
+        }
+        if self.contact is not None:
+            result["dimensional"] = plain(self.dimensional, unit=True)
+        return result | {"warnings": list(self.warnings)}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write everything to a NetCDF file, whole or not at all; `softlube.load` reads it back."""
+        from softlube.io import save
+
+        save(self, path)
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
+        """Film and pressure maps and mid-plane profiles; written to `path` if given (PNG, PDF, SVG by its ending)."""
+        from softlube.plotting import plot
+
+        return plot(self, path)
+
+
+def _number(x: float) -> float | None:
+    return float(x) if np.isfinite(x) else None

@@ -1,0 +1,123 @@
+"""The command line in-process: output, exit codes, messages."""
+
+import json
+
+import pytest
+
+import softlube
+from softlube.cli import main
+from softlube.quantities import DESCRIPTION
+
+BALL = ["--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s", "--speed", "0.1 mm/s", "--load", "100 mN"]
+
+
+def test_table_of_a_physical_contact(capsys):
+    assert main(["solve", *BALL, "--thickness", "2 mm"]) == 0
+    out = capsys.readouterr().out
+    for fragment in (
+        "indentation |h0|",
+        "55.8",
+        "µm",
+        "minimum film",
+        "nm",
+        "friction coefficient over r ≤ 2a",
+        "Converged in",
+    ):
+        assert fragment in out
+    assert "Warning:" in out
+    assert "…" not in out
+
+
+def test_table_of_a_dimensionless_contact_fits_eighty_columns(capsys):
+    assert main(["solve", "--beta", "100"]) == 0
+    out = capsys.readouterr().out
+    assert "β = 100" in out
+    assert "|h0|" in out
+    assert "…" not in out
+
+
+def test_json_is_one_object_and_nothing_else(capsys, contact, physical):
+    assert main(["solve", *BALL, "--json"]) == 0
+    captured = capsys.readouterr()
+    data = json.loads(captured.out)
+    assert captured.err == ""
+    assert data["converged"] is True
+    assert data["beta"] == physical.beta
+    assert set(DESCRIPTION) <= set(data["quantities"])
+    assert data["quantities"]["film_min"] == {"value": physical.film_min, "error": physical.film_min.error}
+    assert data["dimensional"]["friction_coefficient"]["value"] == physical.dimensional["friction_coefficient"]
+    assert data["dimensional"]["indentation"]["unit"] == "m"
+
+
+def test_json_of_a_dimensionless_contact_has_no_dimensional_part(capsys):
+    assert main(["solve", "--beta", "100", "--cavitation", "none", "--accuracy", "0.01", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert "dimensional" not in data
+    assert (data["cavitation"], data["accuracy"]) == ("none", 0.01)
+
+
+def test_output_and_plot(capsys, tmp_path):
+    output, plot = tmp_path / "a.nc", tmp_path / "a.png"
+    assert main(["solve", "--beta", "100", "--output", str(output), "--plot", str(plot)]) == 0
+    assert softlube.load(output).beta == 100
+    assert plot.read_bytes().startswith(b"\x89PNG")
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.nc", "a.png"]
+    assert str(output) in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "fragment"),
+    [
+        ([], "radius: missing"),
+        (["--beta", "abc"], "--beta"),
+        (["--beta", "-1"], "--beta: expected a positive"),
+        (["--beta", "nan"], "--beta: expected a positive"),
+        (["--beta", "10", "--radius", "2 mm"], "not both"),
+        (["--beta", "10", "--beta-load", "10"], "--beta, --beta-load: give exactly one"),
+        (["--beta", "10", "--cavitation", "x"], "--cavitation: expected"),
+        (["--beta", "10", "--accuracy", "7"], "--accuracy: expected"),
+        (["--beta", "10", "--frobnicate", "7"], "--frobnicate"),
+        (["--beta", "10", "stray"], "stray"),
+        (["--beta", "10", "--output", "no/such/folder/a.nc"], "--output: the folder"),
+        (["--beta", "10", "--plot", "no/such/folder/a.png"], "--plot: the folder"),
+        (["--beta", "10", "--plot", "a.bmp"], "--plot: expected a file ending"),
+        ([*BALL, "--load", "1 N"], "--load"),
+        ([*BALL, "--indentation", "1 um"], "--load, --indentation: are both given"),
+        ([*BALL, "--shear-modulus", "1 MPa"], "--young-modulus, --shear-modulus: are both given"),
+        (BALL[2:], "--radius: missing"),
+        (BALL[:-2], "--load, --indentation: are both missing"),
+        ([*BALL[:-1], "-5 N"], "--load: expected a positive"),
+        ([*BALL[:-1], "5 m"], "--load: 5 m has the wrong dimension"),
+        ([*BALL[:-1], "5"], "--load: '5' has no unit"),
+        ([*BALL, "--roughness", "0 nm"], "--roughness: expected a positive"),
+    ],
+)
+def test_bad_input_exits_2_with_one_line(capsys, arguments, fragment):
+    assert main(["solve", *arguments]) == 2
+    captured = capsys.readouterr()
+    assert fragment in captured.err
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+
+
+def test_no_convergence_exits_3_and_writes_nothing(capsys, tmp_path):
+    output = tmp_path / "a.nc"
+    assert main(["solve", "--beta", "1e8", "--output", str(output)]) == 3
+    captured = capsys.readouterr()
+    assert "outside the range" in captured.err
+    assert captured.out == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_unknown_command_exits_2(capsys):
+    assert main(["slove"]) == 2
+    assert "solve" in capsys.readouterr().err
+
+
+def test_help_and_version(capsys):
+    assert main(["--version"]) == 0
+    assert softlube.__version__ in capsys.readouterr().out
+    assert main(["solve", "--help"]) == 0
+    out = capsys.readouterr().out
+    assert "--young-modulus" in out
+    assert "2 mm" in out

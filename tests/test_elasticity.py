@@ -1,0 +1,115 @@
+"""The half-space operator against quadrature, closed forms and its own symmetry."""
+
+import itertools
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.special import ive
+
+from softlube.elasticity import angular_transform, half_space, radial_operators, ring_kernels
+from softlube.grid import PolarGrid
+from softlube.limits import disc_displacement, far_field_profile
+
+
+@pytest.mark.parametrize(("r", "source"), [(1.0, 1.0001), (1.0, 1.02), (0.3, 0.5), (0.01, 2.0), (5.0, 1.0), (20.0, 0.02)])
+def test_ring_kernels_against_quadrature(r, source):
+    kernels = ring_kernels(31, np.array(r), np.array(source))
+    for m in (0, 1, 2, 7, 30):
+        # ∫ cos mφ/|x − x'| dφ = c^{-1/2} ∫ ..., with the near-singularity at φ = 0 resolved by φ = sinh-like breakpoints
+        width = abs(r - source) / np.sqrt(r * source)
+        points = np.unique(np.clip([0, width, 5 * width, 30 * width, np.pi], 0, np.pi))
+        expected = 2 * sum(
+            quad(
+                lambda phi, m=m: np.cos(m * phi) / np.sqrt((r - source) ** 2 + 4 * r * source * np.sin(phi / 2) ** 2),
+                low,
+                high,
+                limit=400,
+                epsabs=1e-13,
+            )[0]
+            for low, high in itertools.pairwise(points)
+        )
+        assert kernels[m] == pytest.approx(expected, rel=1e-9, abs=1e-11 * kernels[0])
+
+
+def test_uniform_pressure_on_a_disc_from_the_kernel():
+    r = 0.6
+    total = sum(
+        quad(lambda s: float(ring_kernels(1, np.array(r), np.array(s))[0]) * s, low, high, limit=200)[0]
+        for low, high in ((0, r), (r, 1))
+    )
+    assert -total == pytest.approx(disc_displacement(r), rel=1e-9)
+
+
+def gaussian_error(n_r, n_theta, offset, side_spacing=0.6):
+    """Largest error of the displacement under exp(−|x − a|²), whose displacement is −π^{3/2} e^{−ρ²/2} I₀(ρ²/2)."""
+    grid = PolarGrid(n_r, n_theta, layer=0.3, side_spacing=side_spacing)
+    x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
+    square = (x - offset) ** 2 + y**2
+    exact = -(np.pi**1.5) * ive(0, square / 2)
+    result = -(half_space(grid, "none").influence @ np.exp(-square).ravel()).reshape(grid.shape)
+    return np.max(np.abs(result - exact)[grid.r < 5]), grid, np.exp(-square)
+
+
+def test_displacement_under_a_gaussian_converges_at_high_order_in_r():
+    n = np.array([24, 36, 54])
+    errors = [gaussian_error(k, 16, 0.0)[0] for k in n]
+    order = -np.polyfit(np.log(n), np.log(errors), 1)[0]
+    assert errors[-1] < 2e-5
+    assert order > 4.5
+
+
+def test_displacement_off_centre_converges_geometrically_in_theta():
+    errors = [gaussian_error(120, k, 0.7)[0] for k in (8, 14, 20)]
+    assert errors[0] > 20 * errors[1] > 100 * errors[2]
+    assert errors[2] < 1e-5
+
+
+def test_load_weights_integrate_a_gaussian():
+    for offset in (0.0, 0.5):
+        _, grid, pressure = gaussian_error(80, 24, offset)
+        assert half_space(grid, "none").load_weights @ pressure.ravel() == pytest.approx(np.pi, rel=2e-7)
+
+
+def test_reciprocity():
+    # Work of one pressure on the other's displacement: ∫ p₁ w₂ dA = ∫ p₂ w₁ dA.
+    grid = PolarGrid(80, 20, layer=0.3)
+    x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
+    first, second = np.exp(-((x - 0.4) ** 2) - y**2).ravel(), np.exp(-2 * (x + 0.5) ** 2 - y**2).ravel()
+    operator = half_space(grid, "none")
+    work = [
+        operator.load_weights @ (first * (operator.influence @ second)),
+        operator.load_weights @ (second * (operator.influence @ first)),
+    ]
+    assert work[0] == pytest.approx(work[1], rel=1e-6)
+
+
+@pytest.mark.parametrize("side_spacing", [1.0, 0.55])
+def test_angular_transform_is_exact_for_low_harmonics(side_spacing):
+    grid = PolarGrid(10, 32, side_spacing=side_spacing)
+    synthesis, analysis = angular_transform(grid)
+    for m in range(4):
+        expected = np.zeros(analysis.shape[0])
+        expected[m] = 1
+        assert analysis @ np.cos(m * grid.theta) == pytest.approx(expected, abs=2e-6)
+    assert synthesis.shape == analysis.T.shape
+
+
+@pytest.mark.parametrize("cavitation", ["reynolds", "none"])
+def test_far_field_beyond_the_grid(cavitation):
+    """Displacement at the centre and load of the tail, against direct integration of its profile."""
+    grid = PolarGrid(30, 16)
+    operator = half_space(grid, cavitation)
+    mean = quad(lambda t: 2 * far_field_profile(t, cavitation), 0, np.pi, points=[1.8924])[0]
+    a = grid.r[-1]
+    # ∫ f r⁻³ (1 − 4h₀/r²) r dr dθ, and at the centre the kernel 1/r makes it ∫ f r⁻³ (1 − 4h₀/r²) dr dθ.
+    assert operator.far_load == pytest.approx(mean * np.array([1 / a, -4 / (3 * a**3)]), abs=1e-9)
+    near_centre = operator.far_displacement.reshape(2, *grid.shape)[:, 0].mean(axis=1)
+    assert near_centre == pytest.approx(mean * np.array([1 / (2 * a**2), -1 / a**4]), abs=2e-5)
+
+
+def test_operator_shapes():
+    grid = PolarGrid(12, 8)
+    kernels, weights = radial_operators(grid, 5)
+    assert kernels.shape == (5, *[grid.shape[0]] * 2)
+    assert weights.shape == (grid.shape[0],)

@@ -1,0 +1,53 @@
+"""Observed order of accuracy of the whole solver, in r and in θ, by a fit.
+
+Without the cavitation condition the solution is smooth and the order is that of the scheme, four.  With it the free boundary
+lies somewhere between the nodes, which leaves second order with an erratic constant.
+"""
+
+import numpy as np
+import pytest
+
+from softlube.grid import PolarGrid
+from softlube.problem import Problem
+from softlube.solver import solve_level
+
+FINE = {"layer": 0.15, "side_spacing": 0.75}
+
+
+def errors(problem, grids, finest, names):
+    """Relative errors of quantities on each grid against the finest, shape (grids, names)."""
+    exact = solve_level(problem, finest, None).level.values
+    values = [solve_level(problem, grid, None).level.values for grid in grids]
+    return np.array([[abs(v[name] / exact[name] - 1) for name in names] for v in values])
+
+
+def order(sizes, error):
+    return -np.polyfit(np.log(sizes), np.log(error), 1)[0]
+
+
+SMOOTH = ["film_center", "film_inlet", "load", "friction_domain"]
+
+
+@pytest.mark.parametrize(("direction", "sizes"), [("r", [24, 32, 43, 57]), ("theta", [8, 10, 12, 15])])
+def test_smooth_solutions_converge_at_fourth_order(direction, sizes):
+    problem = Problem(beta=30.0, cavitation="none")
+    if direction == "r":
+        grids = [PolarGrid(n, 16, **FINE) for n in sizes]
+        finest = PolarGrid(120, 16, **FINE)
+    else:
+        grids = [PolarGrid(48, n, **FINE) for n in sizes]
+        finest = PolarGrid(48, 32, **FINE)
+    found = errors(problem, grids, finest, SMOOTH)
+    combined = np.exp(np.log(found).mean(axis=1))
+    assert order(np.array(sizes), combined) == pytest.approx(4, abs=0.6)
+    assert found[-1].max() < 1e-3
+
+
+def test_free_boundary_leaves_at_least_second_order():
+    problem, sizes = Problem(beta=100.0), np.array([10, 14, 20, 28])
+    grids = [PolarGrid(int(2.2 * n), n, layer=0.06, side_spacing=0.6) for n in sizes]
+    finest = PolarGrid(110, 50, layer=0.06, side_spacing=0.6)
+    names = ["film_center", "film_min", "film_outlet_min", "load_contact", "friction_contact"]
+    found = errors(problem, grids, finest, names)
+    assert order(sizes, np.exp(np.log(found).mean(axis=1))) > 1.9
+    assert found[-1].max() < 1.5e-3
