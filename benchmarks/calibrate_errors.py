@@ -10,6 +10,7 @@ their estimates (coverage), how much larger than the true error the estimate is 
 from __future__ import annotations
 
 import argparse
+
 import numpy as np
 from fine_grid import reference
 
@@ -47,7 +48,7 @@ def main() -> None:
             start, coarse = solved.x, grid
         exact = reference(problem)
         scale = {name: 1.0 if name.startswith("film_min_") else abs(exact[name]) for name in names}
-        estimate = estimate_errors(values, options.levels[-1])
+        estimate = estimate_errors(values, options.levels[-1], problem.cavitation)
         errors[case] = [abs(values[-1][name] - exact[name]) / scale[name] for name in names]
         estimates[case] = [estimate[name] / scale[name] for name in names]
         print(f"\r{case + 1}/{options.cases}", end="", flush=True)

@@ -134,6 +134,12 @@ def solve(
             check_format("plot", plot)
             check_destination("plot", plot)
 
+    if accuracy >= 1e-3:
+        # The matrices of the coarser grids are too small to share out: threads would spend their time waiting for each other.
+        import os
+
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
     import time
 
     began = time.perf_counter()

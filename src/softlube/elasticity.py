@@ -70,44 +70,53 @@ def ring_kernels(n_modes: int, r: Array, r_source: Array) -> Array:
             before, here = here, (4 * m * x * here - (2 * m - 1) * before) / (2 * m + 1)
             q[m + 1, forward] = here
 
-    for low, high in ((2.0 / n_modes, 0.5), (0.5, np.inf)):
-        band = (eta >= low) & (eta < high)
-        if n_modes == 1 or not band.any():
-            continue
+    # Octaves of η, because the number of steps until the start is forgotten goes like 1/η.
+    octave = np.where(forward, -1, np.floor(np.log2(np.maximum(eta * n_modes / 2, 1))))
+    for number in np.unique(octave[octave >= 0]) if n_modes > 1 else ():
+        band = octave == number
         x = chi[band]
         start = n_modes + int(18.5 / eta[band].min()) + 2
+        ratios = np.empty((n_modes, x.size))
+        ratios[0] = q[0, band]
         ratio = np.exp(-eta[band])
         for m in range(start, 0, -1):
             ratio = (2 * m - 1) / (4 * m * x - (2 * m + 1) * ratio)
             if m < n_modes:
-                q[m, band] = ratio
-        q[:, band] = np.cumprod(q[:, band], axis=0)
+                ratios[m] = ratio
+        q[:, band] = np.cumprod(ratios, axis=0)
 
     return q.reshape(n_modes, *shape) * (2 / np.sqrt(r * r_source))
 
 
-def _lagrange(nodes: Array, x: Array) -> Array:
-    """Lagrange weights at x (n,) for interpolation nodes (k,), shape (n, k)."""
-    weights = np.ones((x.size, nodes.size))
-    for a, node in enumerate(nodes):
-        for b, other in enumerate(nodes):
+def _interpolation(grid: PolarGrid, element: NDArray[np.intp], xi: Array) -> tuple[NDArray[np.intp], Array]:
+    """Quintic interpolation of nodal values to points of some elements.
+
+    Parameters
+    ----------
+    grid : PolarGrid
+    element : ndarray, shape (n,)
+        Element e lies between nodes e − 1 and e, the first one between the centre and node 0.
+    xi : ndarray, shape (n, k)
+        Points on each.
+
+    Returns
+    -------
+    node : ndarray, shape (n, 6)
+        Nodes; −1, −2, … are the mirror images of 0, 1, … beyond the centre.
+    weight : ndarray, shape (n, k, 6)
+        Lagrange weights.
+    """
+    last = grid.shape[0] - 1
+    node = element[:, None] + STENCIL
+    node = node - np.maximum(0, node[:, -1:] - last)
+    x = xi / grid.d_xi - 0.5 - element[:, None]  # in units of the spacing, from the element's outer node
+    place = (node - element[:, None])[:, None, :]
+    weight = np.ones((*xi.shape, STENCIL.size))
+    for a in range(STENCIL.size):
+        for b in range(STENCIL.size):
             if a != b:
-                weights[:, a] *= (x - other) / (node - other)
-    return weights
-
-
-@dataclass(frozen=True)
-class _Interpolation:
-    """Quintic interpolation of nodal values to points of one element, with the mirror image beyond the centre."""
-
-    node: NDArray[np.intp]  # (k,) nodes; −1, −2, … are the mirror images of 0, 1, …
-    weight: Array  # (n, k)
-
-    @classmethod
-    def on_element(cls, grid: PolarGrid, element: int, xi: Array) -> _Interpolation:
-        node = element + STENCIL
-        node = node - max(0, int(node[-1]) - (grid.shape[0] - 1))
-        return cls(node, _lagrange(node + 0.5, xi / grid.d_xi))
+                weight[..., a] *= (x - place[..., b]) / (place[..., a] - place[..., b])
+    return node, weight
 
 
 def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
@@ -128,11 +137,13 @@ def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
     r_points = grid.r_of(points)
     measure = np.diff(edges)[:, None] * gauss_weight / 2 * grid.dr_dxi(r_points) * r_points
 
+    every = np.arange(n)
+    node, weight = _interpolation(grid, every, points)
     direct, mirror = np.zeros((2, n, GAUSS_FAR, n))
-    for element in range(n):
-        at = _Interpolation.on_element(grid, element, points[element])
-        for column, node in enumerate(at.node):
-            (direct if node >= 0 else mirror)[element, :, node if node >= 0 else -1 - node] += at.weight[:, column]
+    for column in range(STENCIL.size):
+        own = node[:, column] >= 0
+        direct[every[own], :, node[own, column]] += weight[own, :, column]
+        mirror[every[~own], :, -1 - node[~own, column]] += weight[~own, :, column]
     direct, mirror = direct.reshape(-1, n), mirror.reshape(-1, n)
 
     # Far elements: plain Gauss.  The near ones are masked out here and added below.
@@ -144,20 +155,22 @@ def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
     result = (flat @ direct).reshape(n_modes, n, n) + parity[:, :, None] * (flat @ mirror).reshape(n_modes, n, n)
 
     # Near elements: ξ = target-side end ± L t⁴ removes the logarithm and follows kernels that are narrow for large m.
-    t, t_weight = ((leggauss(GAUSS_NEAR)[0] + 1) / 2, leggauss(GAUSS_NEAR)[1] / 2)
-    pairs = np.argwhere(near)
-    low, length = edges[pairs[:, 1]], np.diff(edges)[pairs[:, 1]]
-    fraction = np.where((pairs[:, 1] <= pairs[:, 0])[:, None], 1 - t**4, t**4)
-    xi_near = low[:, None] + length[:, None] * fraction
-    r_near = grid.r_of(xi_near)
-    jacobian = length[:, None] * (4 * t**3 * t_weight) * grid.dr_dxi(r_near) * r_near
-    near_kernel = ring_kernels(n_modes, grid.r[pairs[:, 0], None], r_near) * jacobian
-    for pair, (i, e) in enumerate(pairs):
-        at = _Interpolation.on_element(grid, e, xi_near[pair])
-        contribution = near_kernel[:, pair] @ at.weight
-        inner = at.node >= 0
-        result[:, i, at.node[inner]] += contribution[:, inner]
-        result[:, i, -1 - at.node[~inner]] += parity * contribution[:, ~inner]
+    x, x_weight = leggauss(GAUSS_NEAR)
+    t, t_weight = (x + 1) / 2, x_weight / 2
+    for offset in range(1 - NEAR, NEAR + 1):
+        target = every[(every + offset >= 0) & (every + offset < n)]
+        element = target + offset
+        length = np.diff(edges)[element, None]
+        xi = edges[element, None] + length * (1 - t**4 if offset <= 0 else t**4)
+        r_near = grid.r_of(xi)
+        jacobian = length * (4 * t**3 * t_weight) * grid.dr_dxi(r_near) * r_near
+        near_kernel = ring_kernels(n_modes, grid.r[target, None], r_near) * jacobian
+        node, weight = _interpolation(grid, element, xi)
+        share = np.einsum("mpk,pkc->mpc", near_kernel, weight)
+        for column in range(STENCIL.size):
+            own = node[:, column] >= 0
+            result[:, target[own], node[own, column]] += share[:, own, column]
+            result[:, target[~own], -1 - node[~own, column]] += parity * share[:, ~own, column]
 
     return result, measure.ravel() @ (direct + mirror)
 
@@ -180,7 +193,7 @@ def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
     nodal = np.cos(np.outer(m_nodal, grid.s)) * half * half[:, None] * 2 / grid.n_theta
     if grid.side_spacing == 1:
         return np.cos(np.outer(grid.theta, m_nodal)), nodal
-    n_modes = int(2 * grid.n_theta / grid.side_spacing) + 1
+    n_modes = int(1.6 * grid.n_theta / grid.side_spacing) + 1
     n_fine = 4 * n_modes
     s = np.arange(n_fine + 1) * np.pi / n_fine
     weight = np.full(n_fine + 1, 2.0 / n_fine)

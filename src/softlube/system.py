@@ -25,10 +25,8 @@ FILM_KEPT = 0.2
 
 
 @lru_cache(maxsize=6)
-def _operators(grid: PolarGrid, cavitation: str) -> tuple[HalfSpace, ReynoldsOperator, Array]:
-    substrate = half_space(grid, cavitation)
-    inner = np.ascontiguousarray(substrate.influence[:, : grid.n_unknown])
-    return substrate, ReynoldsOperator.on(grid), inner
+def _operators(grid: PolarGrid, cavitation: str) -> tuple[HalfSpace, ReynoldsOperator]:
+    return half_space(grid, cavitation), ReynoldsOperator.on(grid)
 
 
 def forget_operators() -> None:
@@ -52,7 +50,8 @@ class ContactSystem:
         self.problem = problem
         self.grid = grid
         self.speed = 1 / problem.parameter
-        self.substrate, self.reynolds, self.influence = _operators(grid, problem.cavitation)
+        self.substrate, self.reynolds = _operators(grid, problem.cavitation)
+        self.influence = self.substrate.influence[:, : grid.n_unknown]
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.constrained = np.zeros(n + load_controlled, dtype=bool)
         self.constrained[:n] = problem.cavitation == "reynolds"
