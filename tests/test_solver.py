@@ -83,8 +83,12 @@ def test_accuracy_is_kept_or_refused():
     for name, quantity in tight.quantities.items():
         if name not in REPORTED_ONLY:
             assert quantity.error <= 3e-4 * abs(quantity) * LOOSER.get(name, 1), name
+
+
+def test_an_accuracy_that_no_grid_reaches_is_refused_with_advice(monkeypatch):
+    monkeypatch.setattr("softlube.solver.LADDER", (12, 18))
     with pytest.raises(softlube.NotConvergedError, match=r"does not reach the accuracy.*Try accuracy="):
-        softlube.solve(beta=2, accuracy=2e-6)
+        softlube.solve(beta=1000, accuracy=3e-4)
 
 
 @pytest.mark.parametrize(
@@ -98,6 +102,7 @@ def test_accuracy_is_kept_or_refused():
         ({"beta_load": float("inf")}, "beta_load: expected a positive"),
         ({"beta": 10.0, "cavitation": "jfo"}, "cavitation: expected"),
         ({"beta": 10.0, "accuracy": 0.0}, "accuracy: expected"),
+        ({"beta": 10.0, "accuracy": 1e-5}, "accuracy: expected a relative error between 0.00013 and 0.1"),
         ({"beta": 10.0, "accuracy": float("nan")}, "accuracy: expected"),
     ],
 )
@@ -112,9 +117,10 @@ def test_out_of_range_is_refused_with_the_range(beta):
         softlube.solve(beta=beta)
 
 
-def test_a_sphere_lifted_off_is_refused():
-    with pytest.raises(softlube.NotConvergedError, match=r"lifts the sphere off.*larger load"):
-        softlube.solve(beta_load=1.0)
+@pytest.mark.parametrize("beta_load", [0.4, 1.0, 3.0])
+def test_a_sphere_lifted_off_is_refused(beta_load):
+    with pytest.raises(softlube.NotConvergedError, match=r"lifts the sphere above.*larger load"):
+        softlube.solve(beta_load=beta_load)
 
 
 def test_progress_is_reported_for_each_grid():

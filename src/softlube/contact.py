@@ -157,7 +157,7 @@ class Contact:
     >>> from softlube import Contact
     >>> contact = Contact(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", speed="0.1 mm/s", load="100 mN")
     >>> round(contact.problem().beta_load)
-    16436
+    16430
     """
 
     radius: float
