@@ -81,6 +81,7 @@ def test_output_and_plot(capsys, tmp_path):
         (["--beta", "10", "--output", "no/such/folder/a.nc"], "--output: the folder"),
         (["--beta", "10", "--plot", "no/such/folder/a.png"], "--plot: the folder"),
         (["--beta", "10", "--plot", "a.bmp"], "--plot: expected a file ending"),
+        (["--beta", "10", "--plot", "a.png", "--output", "a.png"], "--output, --plot: expected two different"),
         ([*BALL, "--load", "1 N"], "--load"),
         ([*BALL, "--indentation", "1 um"], "--load, --indentation: are both given"),
         ([*BALL, "--shear-modulus", "1 MPa"], "--young-modulus, --shear-modulus: are both given"),

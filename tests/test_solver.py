@@ -117,6 +117,11 @@ def test_out_of_range_is_refused_with_the_range(beta):
         softlube.solve(beta=beta)
 
 
+def test_a_sphere_nearly_lifted_off_is_out_of_range():
+    with pytest.raises(softlube.NotConvergedError, match=r"beta = 0\.\d+ is outside the range.*larger load"):
+        softlube.solve(beta_load=5.5)
+
+
 @pytest.mark.parametrize("beta_load", [0.4, 1.0, 3.0])
 def test_a_sphere_lifted_off_is_refused(beta_load):
     with pytest.raises(softlube.NotConvergedError, match=r"lifts the sphere above.*larger load"):

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 EXIT_INPUT = 2
 EXIT_NOT_CONVERGED = 3
+EXIT_SYSTEM = 1
+EXIT_INTERRUPTED = 130
+EXIT_BROKEN_PIPE = 141
 
 
 def _version() -> str:
@@ -132,7 +135,8 @@ def solve(
             from softlube.plotting import check_format
 
             check_format("plot", plot)
-            check_destination("plot", plot)
+            if check_destination("plot", plot).absolute() == (output and check_destination("output", output).absolute()):
+                raise InputError("output, plot: expected two different files")
 
     if accuracy >= 1e-3:
         # The matrices of the coarser grids are too small to share out: threads would spend their time waiting for each other.
@@ -149,7 +153,7 @@ def solve(
     if as_json:
         import json
 
-        print(json.dumps(solution.to_dict(), allow_nan=False))
+        print(json.dumps(solution.to_dict(), allow_nan=False), flush=True)
     else:
         _report(solution, seconds, [path for path in (output, plot) if path is not None])
     return 0
@@ -302,8 +306,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _complain(_as_options(str(error)), EXIT_INPUT)
     except NotConvergedError as error:
         return _complain(str(error), EXIT_NOT_CONVERGED)
+    except BrokenPipeError:
+        # The reader (head, less) has gone; leave quietly, and keep Python from flushing into the closed pipe at exit.
+        import os
+
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return EXIT_BROKEN_PIPE
+    except OSError as error:
+        return _complain(f"{error.filename or 'output'}: {error.strerror or error}", EXIT_SYSTEM)
     except KeyboardInterrupt:
-        return _complain("interrupted", 130)
+        return _complain("interrupted", EXIT_INTERRUPTED)
     return result if isinstance(result, int) else 0
 
 

@@ -262,14 +262,12 @@ def solve_problem(problem: Problem, *, accuracy: float = 1e-3, progress: Callabl
     """Solve a `Problem`; see `solve`."""
     if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= 0.1):
         raise InputError(f"accuracy: expected a relative error between {FINEST_ACCURACY:g} and 0.1, got {accuracy!r}")
-    if not SMALLEST_BETA <= problem.parameter <= LARGEST_BETA:
-        raise NotConvergedError(
-            f"beta = {problem.parameter:.4g} is outside the range this release resolves, {SMALLEST_BETA:g} to {LARGEST_BETA:g}."
-        )
+    _check_range(problem.parameter)
     solved: list[Solved] = []
     worst: dict[str, float] = {}
     for rung in climb(problem):
         solved.append(rung)
+        _check_range(rung.fields.beta)  # under load control known only now
         if progress is not None:
             progress(f"{rung.grid.n_r} x {rung.grid.n_theta} cells solved in {rung.level.seconds:.2f} s")
         if len(solved) < 2:
@@ -283,6 +281,14 @@ def solve_problem(problem: Problem, *, accuracy: float = 1e-3, progress: Callabl
         f"the finest grid does not reach the accuracy {accuracy:g} at {problem.parameter:.4g}: {reached} (relative). "
         f"Try accuracy={2 * max(value / LOOSER.get(name, 1) for name, value in worst.items()):.0e}."
     )
+
+
+def _check_range(beta: float) -> None:
+    if not SMALLEST_BETA <= beta <= LARGEST_BETA:
+        advice = "larger load or indentation" if beta < SMALLEST_BETA else "smaller load or indentation, or a higher speed"
+        raise NotConvergedError(
+            f"beta = {beta:.4g} is outside the range this release resolves, {SMALLEST_BETA:g} to {LARGEST_BETA:g}. Try a {advice}."
+        )
 
 
 def _solution(problem: Problem, solved: Sequence[Solved], errors: Mapping[str, float], accuracy: float) -> Solution:
