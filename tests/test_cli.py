@@ -56,6 +56,23 @@ def test_json_of_a_dimensionless_contact_has_no_dimensional_part(capsys):
     assert (data["cavitation"], data["accuracy"]) == ("none", 0.01)
 
 
+def test_the_paper_s_method(capsys, tmp_path):
+    assert main(["solve", "--beta", "10", "--method", "relaxation", "--plot", str(tmp_path / "a.png")]) == 0
+    out = capsys.readouterr().out
+    assert "sweeps of the paper's method (relaxation)" in out
+    assert "± unknown" in out
+    assert (tmp_path / "a.png").exists()
+
+
+def test_json_of_the_paper_s_method_says_that_errors_are_unknown(capsys):
+    assert main(["solve", "--beta", "10", "--method", "relaxation", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["accuracy"] is None
+    assert data["quantities"]["film_center"]["error"] is None
+    # within 6 % of the truth at β = 10, where the domain cut at r = 2 tells
+    assert data["quantities"]["film_center"]["value"] == pytest.approx(0.23662, rel=0.06)
+
+
 def test_output_and_plot(capsys, tmp_path):
     output, plot = tmp_path / "a.nc", tmp_path / "a.png"
     assert main(["solve", "--beta", "100", "--output", str(output), "--plot", str(plot)]) == 0
@@ -78,6 +95,10 @@ def test_output_and_plot(capsys, tmp_path):
         (["--beta", "10", "--accuracy", "7"], "--accuracy: expected"),
         (["--beta", "10", "--frobnicate", "7"], "--frobnicate"),
         (["--beta", "10", "stray"], "stray"),
+        (["--beta", "10", "--method", "x"], "--method: expected"),
+        (["--beta", "100", "--method", "relaxation", "--accuracy", "0.01"], "--accuracy: method 'relaxation' has one mesh"),
+        (["--beta-load", "100", "--method", "cartesian"], "--beta-load: the paper's method"),
+        (["--beta", "3", "--method", "relaxation"], "--beta: the paper's method"),
         (["--beta", "10", "--output", "no/such/folder/a.nc"], "--output: the folder"),
         (["--beta", "10", "--plot", "no/such/folder/a.png"], "--plot: the folder"),
         (["--beta", "10", "--plot", "a.bmp"], "--plot: expected a file ending"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import App, CycloptsError, Group, Parameter
 
@@ -58,6 +58,7 @@ def solve(
     beta_load: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
     cavitation: Annotated[str, Parameter(group=_METHOD)] = "reynolds",
     accuracy: Annotated[float, Parameter(group=_METHOD)] = 1e-3,
+    method: Annotated[str, Parameter(group=_METHOD)] = "newton",
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
@@ -97,6 +98,8 @@ def solve(
         "reynolds" (no negative pressure) or "none".
     accuracy
         Relative error aimed at; the grids follow from it.
+    method
+        "newton", or the paper's own "relaxation" or "cartesian" (slower, without errors; for comparison).
     output
         NetCDF file for the whole solution.
     plot
@@ -147,7 +150,8 @@ def solve(
     import time
 
     began = time.perf_counter()
-    solution = _solve(given, beta, beta_load, cavitation, accuracy, quiet=as_json)
+    options = {"accuracy": accuracy, "method": method}
+    solution = _solve(given, {"beta": beta, "beta_load": beta_load}, cavitation, options, quiet=as_json)
     seconds = time.perf_counter() - began
     _write_files(solution, output, plot)
     if as_json:
@@ -161,10 +165,10 @@ def solve(
 
 def _solve(
     physical: dict[str, str],
-    beta: float | None,
-    beta_load: float | None,
+    dimensionless: dict[str, Any],
     cavitation: str,
-    accuracy: float,
+    options: dict[str, Any],
+    *,
     quiet: bool,
 ) -> Solution:
     from rich.console import Console
@@ -176,8 +180,8 @@ def _solve(
     console = Console(stderr=True, quiet=quiet)
     with console.status("solving", spinner="dots") as status:
         if contact is not None:
-            return contact.solve(accuracy=accuracy, progress=status.update)
-        return solve(beta, beta_load=beta_load, cavitation=cavitation, accuracy=accuracy, progress=status.update)
+            return contact.solve(**options, progress=status.update)
+        return solve(**dimensionless, cavitation=cavitation, **options, progress=status.update)
 
 
 def _write_files(solution: Solution, output: str | None, plot: str | None) -> None:
@@ -239,9 +243,13 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
     console.print(f"β = {solution.beta:.5g} (by the load: {solution.beta_load:.5g}), {condition}", markup=False)
     console.print(_table(solution), soft_wrap=False)
     sizes = ", ".join(f"{level.n_r} × {level.n_theta}" for level in solution.levels)
-    steps = " + ".join(str(len(level.history)) for level in solution.levels)
-    console.print(f"Converged in {seconds:.2f} s: grids of {sizes} cells, {steps} Newton steps.")
-    console.print(f"Errors aimed at: {solution.accuracy:g} of each value (minimum film and gradient: three times that).")
+    steps = " + ".join(str(sum(record.count for record in level.history)) for level in solution.levels)
+    what = "Newton steps" if solution.method == "newton" else f"sweeps of the paper's method ({solution.method})"
+    console.print(f"Converged in {seconds:.2f} s: grids of {sizes} cells, {steps} {what}.")
+    if solution.method == "newton":
+        console.print(f"Errors aimed at: {solution.accuracy:g} of each value (minimum film and gradient: three times that).")
+    else:
+        console.print("One mesh, so the errors are not known; softlube's own method (--method newton) estimates them.")
     for doubt in solution.warnings:
         console.print(f"[bold yellow]Warning:[/] {doubt}.")
     for path in files:

@@ -233,13 +233,17 @@ class Contact:
             return Problem(beta=beta, cavitation=self.cavitation)
         return Problem(beta_load=beta, cavitation=self.cavitation)
 
-    def solve(self, *, accuracy: float = 1e-3, progress: Callable[[str], None] | None = None) -> Solution:
+    def solve(
+        self, *, accuracy: float = 1e-3, method: str = "newton", progress: Callable[[str], None] | None = None
+    ) -> Solution:
         """Solve the contact.
 
         Parameters
         ----------
         accuracy : float
             Relative error aimed at; see `softlube.solve`.
+        method : {"newton", "relaxation", "cartesian"}
+            See `softlube.solve`.
         progress : callable, optional
             Called with a line of text after each grid.
 
@@ -255,7 +259,7 @@ class Contact:
         """
         from softlube.solver import solve_problem
 
-        return self.interpret(solve_problem(self.problem(), accuracy=accuracy, progress=progress))
+        return self.interpret(solve_problem(self.problem(), accuracy=accuracy, method=method, progress=progress))
 
     # --- and back ---------------------------------------------------------------------------------------------------
 

@@ -94,6 +94,7 @@ def _interpolation(grid: PolarGrid, element: NDArray[np.intp], xi: Array) -> tup
     Parameters
     ----------
     grid : PolarGrid
+        Whose nodes carry the values.
     element : ndarray, shape (n,)
         Element e lies between nodes e − 1 and e, the first one between the centre and node 0.
     xi : ndarray, shape (n, k)

@@ -7,22 +7,40 @@ import os
 from collections.abc import Mapping
 from dataclasses import asdict
 from importlib.metadata import version
+from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from softlube.contact import Contact
 from softlube.errors import InputError
-from softlube.fields import Fields
+from softlube.fields import Chart, Fields
 from softlube.files import check_destination, whole_file
 from softlube.grid import PolarGrid
 from softlube.newton import Iteration
 from softlube.problem import Problem
 from softlube.quantities import DESCRIPTION
-from softlube.solution import Level, Quantity, Solution
+from softlube.solution import Level, Quantity, Record, SavedRecord, Solution
 
 SI_SUFFIX = "_SI"
+POLAR = "plain polar coordinates"
 FIELD_NAMES = {"pressure": "pressure", "film": "film thickness", "displacement": "surface displacement of the substrate"}
+
+
+def _plain(level: Level) -> dict[str, Any]:
+    return vars(level) | {"values": dict(level.values), "history": [record.summary() for record in level.history]}
+
+
+def _records(summaries: list[dict[str, Any]], method: str) -> tuple[Record, ...]:
+    return tuple(Iteration(**summary) if method == "newton" else SavedRecord(summary) for summary in summaries)
+
+
+def _chart(stored: str) -> Chart:
+    if stored == POLAR:
+        from softlube.paper.chart import PolarChart
+
+        return PolarChart()
+    return PolarGrid(**json.loads(stored))
 
 
 def to_dataset(solution: Solution) -> xr.Dataset:
@@ -57,8 +75,8 @@ def to_dataset(solution: Solution) -> xr.Dataset:
         "cavitation": solution.problem.cavitation,
         "accuracy": solution.accuracy,
         "problem": json.dumps(asdict(solution.problem)),
-        "grid": json.dumps(asdict(chart)) if isinstance(chart, PolarGrid) else "",
-        "levels": json.dumps([asdict(level) for level in solution.levels], default=float),
+        "grid": json.dumps(asdict(chart)) if isinstance(chart, PolarGrid) else POLAR,
+        "levels": json.dumps([_plain(level) for level in solution.levels], default=float),
         "warnings": json.dumps(list(solution.warnings)),
     }
     if solution.contact is not None:
@@ -119,7 +137,7 @@ def load(path: str | os.PathLike[str]) -> Solution:
     return Solution(
         problem=problem,
         fields=Fields(
-            chart=PolarGrid(**json.loads(attrs["grid"])),
+            chart=_chart(attrs["grid"]),
             r=data.r.to_numpy(),
             theta=data.theta.to_numpy(),
             pressure=data.pressure.to_numpy(),
@@ -132,7 +150,7 @@ def load(path: str | os.PathLike[str]) -> Solution:
         beta=float(attrs["beta"]),
         beta_load=float(attrs["beta_load"]),
         accuracy=float(attrs["accuracy"]),
-        levels=tuple(Level(**(level | {"history": tuple(Iteration(**step) for step in level["history"])})) for level in levels),
+        levels=tuple(Level(**(level | {"history": _records(level["history"], attrs["method"])})) for level in levels),
         method=str(attrs["method"]),
         converged=bool(np.asarray(attrs["converged"]).item()),
         contact=Contact.from_inputs(json.loads(attrs["inputs_SI"])) if "inputs_SI" in attrs else None,

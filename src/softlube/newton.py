@@ -8,8 +8,8 @@ Kunisch 2003).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Protocol
+from dataclasses import asdict, dataclass
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,6 +66,15 @@ class Iteration:
     fraction: float
     n_active: int
     residual: float
+
+    @property
+    def count(self) -> int:
+        """Number of steps: 1."""
+        return 1
+
+    def summary(self) -> dict[str, Any]:
+        """The step in plain values."""
+        return asdict(self)
 
 
 @dataclass(frozen=True)

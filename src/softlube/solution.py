@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
 from softlube.fields import Fields
-from softlube.newton import Iteration
 from softlube.problem import Problem
 
 if TYPE_CHECKING:
@@ -55,14 +54,43 @@ class Quantity(float):
     __str__ = __repr__
 
 
+class Record(Protocol):
+    """A piece of a method's history: a Newton step, a run of relaxation sweeps."""
+
+    @property
+    def count(self) -> int:
+        """Number of steps or sweeps in it."""
+        ...
+
+    def summary(self) -> dict[str, Any]:
+        """Plain values, ready for JSON."""
+        ...
+
+
+@dataclass(frozen=True)
+class SavedRecord:
+    """A record read back from a file, which keeps summaries only."""
+
+    values: Mapping[str, Any]
+
+    @property
+    def count(self) -> int:
+        """Number of steps or sweeps in it."""
+        return int(self.values["sweeps"])
+
+    def summary(self) -> dict[str, Any]:
+        """The values."""
+        return dict(self.values)
+
+
 @dataclass(frozen=True)
 class Level:
-    """One grid on the way to the answer: its size, the quantities on it, Newton's history."""
+    """One grid on the way to the answer: its cells (n_r × n_theta), the quantities on it, what the method did, how long."""
 
     n_r: int
     n_theta: int
     values: Mapping[str, float]
-    history: tuple[Iteration, ...]
+    history: tuple[Record, ...]
     seconds: float
 
 
@@ -84,11 +112,11 @@ class Solution:
     beta, beta_load : float
         β of Eq. (6d) and β of Eq. (30).
     accuracy : float
-        Relative accuracy asked for.
+        Relative accuracy asked for; nan for the paper's methods, which have one mesh.
     levels : tuple of Level
         The grids solved, coarse to fine.
     method : str
-        The solver: "newton", or one of the paper's.
+        The solver: "newton", or the paper's "relaxation" or "cartesian".
     converged : bool
     contact : Contact or None
         The physical input.
@@ -151,7 +179,7 @@ class Solution:
             "beta": self.beta,
             "beta_load": self.beta_load,
             "cavitation": self.problem.cavitation,
-            "accuracy": self.accuracy,
+            "accuracy": _number(self.accuracy),
             "converged": self.converged,
             "method": self.method,
             "quantities": plain(self.quantities, unit=False),

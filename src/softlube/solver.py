@@ -22,6 +22,7 @@ from softlube.system import ContactSystem
 
 Array = NDArray[np.floating]
 
+DEFAULT_ACCURACY = 1e-3
 LADDER = (12, 18, 27, 40, 60)
 """Angular intervals of the nested grids, coarse to fine."""
 RADIAL_STEP = 6.0
@@ -220,7 +221,8 @@ def solve(
     *,
     beta_load: float | None = None,
     cavitation: str = "reynolds",
-    accuracy: float = 1e-3,
+    accuracy: float = DEFAULT_ACCURACY,
+    method: str = "newton",
     progress: Callable[[str], None] | None = None,
 ) -> Solution:
     """Solve one dimensionless contact.
@@ -235,6 +237,9 @@ def solve(
         Reynolds condition, or negative pressures allowed.
     accuracy : float
         Relative error aimed at (film_min and pressure_gradient_inlet: three times that).  Grids follow from it.
+    method : {"newton", "relaxation", "cartesian"}
+        This solver, or the paper's own method on its polar mesh of 50 × 30 or on a Cartesian one of 100 × 50
+        (docs/paper-method.md): slower, with one mesh and so without errors, for comparison.
     progress : callable, optional
         Called with a line of text after each grid.
 
@@ -255,11 +260,30 @@ def solve(
     >>> softlube.solve(beta=1000).film_center
     0.0161507 ± 1e-06
     """
-    return solve_problem(Problem(beta, beta_load, cavitation), accuracy=accuracy, progress=progress)  # type: ignore[arg-type]
+    problem = Problem(beta, beta_load, cavitation)  # type: ignore[arg-type]
+    return solve_problem(problem, accuracy=accuracy, method=method, progress=progress)
 
 
-def solve_problem(problem: Problem, *, accuracy: float = 1e-3, progress: Callable[[str], None] | None = None) -> Solution:
-    """Solve a `Problem`; see `solve`."""
+def solve_problem(
+    problem: Problem,
+    *,
+    accuracy: float = DEFAULT_ACCURACY,
+    method: str = "newton",
+    progress: Callable[[str], None] | None = None,
+) -> Solution:
+    """Solve a `Problem` by one of the methods; see `solve`."""
+    if method == "newton":
+        return _solve_newton(problem, accuracy, progress)
+    if method not in ("relaxation", "cartesian"):
+        raise InputError(f"method: expected 'newton', 'relaxation' or 'cartesian', got {method!r}")
+    if accuracy != DEFAULT_ACCURACY:
+        raise InputError(f"accuracy: method {method!r} has one mesh and takes no accuracy; leave it out")
+    from softlube import paper
+
+    return (paper.solve_relaxation if method == "relaxation" else paper.solve_cartesian)(problem, progress=progress)
+
+
+def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], None] | None) -> Solution:
     if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= 0.1):
         raise InputError(f"accuracy: expected a relative error between {FINEST_ACCURACY:g} and 0.1, got {accuracy!r}")
     _check_range(problem.parameter)
@@ -285,10 +309,9 @@ def solve_problem(problem: Problem, *, accuracy: float = 1e-3, progress: Callabl
 
 def _check_range(beta: float) -> None:
     if not SMALLEST_BETA <= beta <= LARGEST_BETA:
+        bounds = f"{SMALLEST_BETA:g} to {LARGEST_BETA:g}"
         advice = "larger load or indentation" if beta < SMALLEST_BETA else "smaller load or indentation, or a higher speed"
-        raise NotConvergedError(
-            f"beta = {beta:.4g} is outside the range this release resolves, {SMALLEST_BETA:g} to {LARGEST_BETA:g}. Try a {advice}."
-        )
+        raise NotConvergedError(f"beta = {beta:.4g} is outside the range this release resolves, {bounds}. Try a {advice}.")
 
 
 def _solution(problem: Problem, solved: Sequence[Solved], errors: Mapping[str, float], accuracy: float) -> Solution:

@@ -55,7 +55,9 @@ def test_failures_leave_one_line_and_no_file(tmp_path, arguments, code):
 
 def test_a_reader_that_leaves_early_is_no_error(tmp_path):
     program = shutil.which("softlube", path=str(Path(sys.executable).parent)) or shutil.which("softlube")
-    with subprocess.Popen([program, "solve", "--beta", "100", "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+    with subprocess.Popen(
+        [program, "solve", "--beta", "100", "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
         process.stdout.close()
         assert process.stderr.read() == b""
     assert process.returncode == 141
