@@ -43,7 +43,7 @@ def warm(beta: float, repeats: int) -> tuple[float, float, int]:
     solution = softlube.solve(beta=beta)
     first = time.process_time() - began
     times = []
-    for _ in range(repeats):
+    for _ in range(repeats if first < 2 else 2):
         began = time.process_time()
         softlube.solve(beta=beta)
         times.append(time.process_time() - began)

@@ -33,7 +33,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cases", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--levels", type=int, nargs="+", default=[12, 18, 27])
+    parser.add_argument("--levels", type=int, nargs="+", default=[12, 18, 26])
     options = parser.parse_args()
     rng = np.random.default_rng(options.seed)
     names = list(DESCRIPTION)

@@ -85,7 +85,9 @@ def ring_kernels(n_modes: int, r: Array, r_source: Array) -> Array:
                 ratios[m] = ratio
         q[:, band] = np.cumprod(ratios, axis=0)
 
-    return q.reshape(n_modes, *shape) * (2 / np.sqrt(r * r_source))
+    q = q.reshape(n_modes, *shape)
+    q *= 2 / np.sqrt(r * r_source)
+    return q
 
 
 def _interpolation(grid: PolarGrid, element: NDArray[np.intp], xi: Array) -> tuple[NDArray[np.intp], Array]:
@@ -148,10 +150,10 @@ def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
     direct, mirror = direct.reshape(-1, n), mirror.reshape(-1, n)
 
     # Far elements: plain Gauss.  The near ones are masked out here and added below.
-    kernel = ring_kernels(n_modes, grid.r[:, None], r_points.ravel()) * measure.ravel()
     target, element = np.indices((n, n))
     near = (element > target - NEAR) & (element <= target + NEAR)
-    kernel *= ~np.repeat(near, GAUSS_FAR, axis=1)
+    kernel = ring_kernels(n_modes, grid.r[:, None], r_points.ravel())
+    kernel *= np.where(np.repeat(near, GAUSS_FAR, axis=1), 0, measure.ravel())
     flat = kernel.reshape(n_modes * n, -1)
     result = (flat @ direct).reshape(n_modes, n, n) + parity[:, :, None] * (flat @ mirror).reshape(n_modes, n, n)
 
@@ -236,9 +238,11 @@ def half_space(grid: PolarGrid, cavitation: str) -> HalfSpace:
     n_modes = analysis.shape[0]
     radial, weights = radial_operators(grid, n_modes)
     n_r, n_angles = grid.shape
-    blocks = (synthesis.T[:, :, None] * analysis[:, None, :]).reshape(n_modes, -1)
-    influence = (radial.reshape(n_modes, -1).T @ blocks).reshape(n_r, n_r, n_angles, n_angles)
-    influence = influence.transpose(0, 2, 1, 3).reshape(n_r * n_angles, -1)
+    influence = np.empty((n_r, n_angles, n_r, n_angles))
+    for target_angle in range(n_angles):
+        angular = synthesis[target_angle, :, None] * analysis
+        influence[:, target_angle] = (radial.reshape(n_modes, -1).T @ angular).reshape(n_r, n_r, n_angles)
+    influence = influence.reshape(n_r * n_angles, -1)
 
     # Beyond the contact u = h₀ + r²/2 up to O(1/r), so p = f(θ)/(βr³)·(1 − 4h₀/r²), Eq. (9) with its first correction
     # (from Kapitza's solution).  With r′ = a/t the integral over (a, ∞) becomes one over t in (0, 1).

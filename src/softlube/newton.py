@@ -152,7 +152,7 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-11, max_iterat
             x[active] = 0.0
         if settled and fraction == 1 and size * contraction < tolerance:
             return NewtonResult(x, True, tuple(history))
-        if size > REUSE_BELOW or contraction > 0.1 or fraction < 1:
+        if fraction < 1 or size > REUSE_BELOW or (settled and contraction > 0.1):
             factorised = None
         if fraction < 1e-6:
             break
