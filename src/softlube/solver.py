@@ -257,8 +257,9 @@ def solve(
     Examples
     --------
     >>> import softlube
-    >>> softlube.solve(beta=1000).film_center
-    0.0161507 ± 1e-06
+    >>> solution = softlube.solve(beta=1000)
+    >>> round(solution.film_center, 5), solution.film_center.error < 1e-5
+    (0.01615, True)
     """
     problem = Problem(beta, beta_load, cavitation)  # type: ignore[arg-type]
     return solve_problem(problem, accuracy=accuracy, method=method, progress=progress)
