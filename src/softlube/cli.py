@@ -298,6 +298,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit code: 0 done, 2 bad input, 3 not converged."""
     from softlube.errors import InputError, NotConvergedError
 
+    if arguments is None:
+        # One short job: looking for cycles in what the imports make costs more than it frees.
+        import gc
+
+        gc.disable()
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a terminal without Greek letters gets question marks, not a crash
             stream.reconfigure(errors="replace")
