@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import cache
 from typing import Any, SupportsFloat
 
@@ -265,8 +265,6 @@ class Contact:
 
     def interpret(self, solution: Solution) -> Solution:
         """A dimensionless solution of `problem` with SI quantities and warnings added."""
-        from dataclasses import replace
-
         dimensional = self.dimensional(solution.quantities)
         return replace(solution, contact=self, dimensional=dimensional, warnings=self.doubts(dimensional))
 

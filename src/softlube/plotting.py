@@ -1,4 +1,4 @@
-"""Pictures of a solution; the only module, with `figures`, that touches axes."""
+"""Pictures of a solution; the only module that touches axes."""
 
 from __future__ import annotations
 
@@ -150,7 +150,14 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
     angle = np.linspace(0, 2 * np.pi, 200)
     ax.plot(np.cos(angle) * length, np.sin(angle) * length, "--", color="white", lw=0.7)
     ax.annotate(
-        "inlet", (0.985, 0.5), xycoords="axes fraction", ha="right", va="center", rotation=-90, color="white", fontsize=7
+        "inlet",
+        (0.985, 0.5),
+        xycoords="axes fraction",
+        ha="right",
+        va="center",
+        rotation=-90,
+        color="black" if field == "film" else "white",  # on the brightest and the darkest colour of the maps
+        fontsize=7,
     )
     ax.set(aspect="equal", xlabel=f"$x${length_label}", ylabel=f"$y${length_label}")
     bar = ax.figure.colorbar(mesh, cax=ax.inset_axes((1.04, 0, 0.05, 1)), label=label, ticks=levels[::2])

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import RectBivariateSpline
 
 from softlube.continuation import march
 from softlube.errors import InputError, NotConvergedError
@@ -106,8 +107,6 @@ def fields_of(system: ContactSystem, x: Array) -> Fields:
 
 def prolong(x: Array, coarse: PolarGrid, fine: PolarGrid, problem: Problem) -> Array:
     """Interpolate unknowns from one grid to another of the same grading."""
-    from scipy.interpolate import RectBivariateSpline
-
     values = x[: coarse.n_unknown].reshape(coarse.n_r, -1)
     mirrored = np.concatenate([values[:2][::-1, ::-1], values])
     xi = (np.arange(-2, coarse.n_r) + 0.5) * coarse.d_xi
