@@ -58,7 +58,7 @@ FINEST_ACCURACY = 1.4e-4
 LARGEST_BETA = 3e5
 SMALLEST_BETA = 0.3
 LIGHTEST_LOAD = 10.0
-"""β_load below which the sphere may be lifted off, h₀ > 0 (at about 4)."""
+"""β_load below which a failure is put down to the load: h₀ > 0 below about 4.5, or 1.3 without the Reynolds condition."""
 
 
 def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
@@ -75,12 +75,6 @@ def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
     return grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / RADIAL_STEP)), n_theta)
 
 
-_LIFTED = (
-    "the film lifts the sphere above the undeformed surface{height}, and this release solves h0 < 0 only. "
-    "Try a larger load, a lower speed or a lower viscosity."
-)
-
-
 def fields_of(system: ContactSystem, x: Array) -> Fields:
     """Fields normalised with |h₀|, whichever way the system is normalised (s = |h₀| in its units).
 
@@ -91,7 +85,10 @@ def fields_of(system: ContactSystem, x: Array) -> Fields:
     """
     grid, height = system.grid, system.height(x)
     if height >= 0:
-        raise NotConvergedError(_LIFTED.format(height=f" (h0 = +{height:.3g} Hertz indentations)"))
+        raise NotConvergedError(
+            f"the film lifts the sphere above the undeformed surface (h0 = +{height:.3g} Hertz indentations), and this release "
+            "solves h0 < 0 only. Try a larger load, a lower speed or a lower viscosity."
+        )
     s = -height
     return Fields(
         chart=grid.scaled(s**-0.5),
@@ -145,16 +142,17 @@ def _second_attempt(problem: Problem, grid: PolarGrid, failed: NewtonResult) -> 
     result = failed
     for result in march(problem, grid):
         history += result.history
-    if not result.converged and problem.load_controlled and problem.parameter < LIGHTEST_LOAD:
-        raise NotConvergedError(_LIFTED.format(height=""))
     if not result.converged:
         last = history[-1] if history else Iteration(np.nan, np.nan, 0, np.nan)
         name = "beta_load" if problem.load_controlled else "beta"
+        advice = "Try another accuracy (it changes the grid), or report the input."
+        if problem.load_controlled and problem.parameter < LIGHTEST_LOAD:
+            advice = "So light a load probably lifts the sphere above the undeformed surface, h0 > 0: try a larger load."
         raise NotConvergedError(
             f"Newton's method did not converge at {name} = {problem.parameter:.4g} "
             f"on {grid.n_r} x {grid.n_theta} cells: after {len(history)} steps the last was {last.step:.1e} "
             f"(fraction {last.fraction:.2g}, residual {last.residual:.1e}). "
-            "Try another accuracy (it changes the grid), or report the input."
+            f"{advice}"
         )
     return NewtonResult(result.x, True, tuple(history))
 
