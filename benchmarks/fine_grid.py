@@ -27,12 +27,14 @@ CASES = [
 
 def reference(problem: Problem, n_theta: int = 48) -> dict[str, float]:
     """Quantities on a fine grid that shares nothing with the solver's but the equations."""
-    own = grid_for(problem, n_theta)
-    grid = replace(own, layer=own.layer * 0.7, side_spacing=min(1.0, own.side_spacing * 1.1), reach=25.0)
-    fine = grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / 5.0)), n_theta)
-    coarse = fine.resized(fine.n_r * 20 // n_theta, 20)
-    start = prolong(solve_level(problem, coarse, None).x, coarse, fine, problem)
-    values = dict(solve_level(problem, fine, start).level.values)
+    start, coarse = None, None
+    for n in (18, 30, n_theta):
+        own = grid_for(problem, n)
+        grid = replace(own, layer=own.layer * 0.7, side_layer=own.side_layer * 0.8, reach=own.reach * 1.3)
+        grid = grid.resized(int(np.ceil(grid.xi_of(grid.reach) * own.n_r / own.xi_of(own.reach) * 1.2)), n)
+        solved = solve_level(problem, grid, None if coarse is None else prolong(start, coarse, grid, problem))
+        start, coarse = solved.x, grid
+    values = dict(solved.level.values)
     forget_operators()  # a gigabyte each
     return values
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from softlube.solution import Quantity, Solution
     from softlube.solver import solve
 
-__version__ = "0.1.0"
+__version__ = "0.2.0.dev0"
 
 # Names are imported when first used: the command line answers --help without NumPy.
 _HOME = {

@@ -83,7 +83,7 @@ def solve(
     load
         Normal load, such as "100 mN".
     indentation
-        Depth of the sphere's lowest point below the undeformed surface instead, such as "50 um".
+        Depth of the sphere's lowest point below the undeformed surface instead, such as "50 um"; "-1 um" is a gap.
     roughness
         Roughness height; a film below it is warned of.
     thickness
@@ -202,14 +202,16 @@ def _write_files(solution: Solution, output: str | None, plot: str | None) -> No
 # --- the table ------------------------------------------------------------------------------------------------------
 
 _DIMENSIONLESS_UNIT = {
-    "load": "4πG|h0|a",
-    "film": "|h0|",
+    "load": "4πG {0} a",
+    "film": "{0}",
+    "height": "{0}",
     "pressure": "4πG a/R",
-    "friction": "(2π/3)G h0²",
-    "length": "a = √(R|h0|)",
-    "shear_rate_max": "v/|h0|",
+    "friction": "(2π/3)G {0}²",
+    "length": "a = √(R {0})",
+    "shear_rate_max": "v/{0}",
     "pressure_gradient_inlet": "4πG/R",
 }
+"""Units of a solution without physical input; {0} is the unit of height."""
 _PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G"))
 
 
@@ -241,6 +243,8 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
     console = Console(highlight=False, soft_wrap=True)
     condition = "Reynolds condition" if solution.problem.cavitation == "reynolds" else "no cavitation condition"
     console.print(f"β = {solution.beta:.5g} (by the load: {solution.beta_load:.5g}), {condition}", markup=False)
+    if solution.contact is None and solution.problem.load_controlled:
+        console.print("δ is the Hertz indentation of the load, Eq. (29).")
     console.print(_table(solution), soft_wrap=False)
     sizes = ", ".join(f"{level.n_r} × {level.n_theta}" for level in solution.levels)
     steps = " + ".join(str(sum(record.count for record in level.history)) for level in solution.levels)
@@ -273,11 +277,14 @@ def _table(solution: Solution) -> Table:
 
     quantities, dimensional = solution.quantities, solution.dimensional
     physical = solution.contact is not None
+    unit = "δ" if solution.problem.load_controlled else "|h0|"
     if physical:
-        row("indentation |h0|", *_engineering(dimensional["indentation"]))
-        row("contact radius a = √(R|h0|)", *_engineering(dimensional["contact_radius"]))
+        row("indentation", *_engineering(dimensional["indentation"]))
+        row(f"contact radius a = √(R {unit})", *_engineering(dimensional["contact_radius"]))
     for name, text in DESCRIPTION.items():
         quantity = quantities[name]
+        if name == "height" and (physical or not solution.problem.load_controlled):
+            continue  # the input, or the indentation above
         if name in ("film_min_radius", "film_min_angle_deg"):
             place = "  at a radius of" if name == "film_min_radius" else "  at an angle from the inlet of"
             row(place, *_rounded(float(quantity), quantity.error), "a" if name == "film_min_radius" else "°")
@@ -285,7 +292,7 @@ def _table(solution: Solution) -> Table:
             row(text, *_engineering(dimensional[name]))
         else:
             group = "length" if name == "boundary_layer" else name if name in _DIMENSIONLESS_UNIT else name.split("_")[0]
-            row(text, *_rounded(float(quantity), quantity.error), _DIMENSIONLESS_UNIT[group])
+            row(text, *_rounded(float(quantity), quantity.error), _DIMENSIONLESS_UNIT[group].format(unit))
     if physical:
         row("friction coefficient over r ≤ 2a", *_engineering(dimensional["friction_coefficient"]))
     return table

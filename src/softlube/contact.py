@@ -22,12 +22,15 @@ KINDS = {
     "viscosity": ("Pa s", "a dynamic viscosity such as '2 Pa s'"),
     "speed": ("m/s", "a speed such as '0.1 mm/s'"),
     "load": ("N", "a force such as '100 mN'"),
-    "indentation": ("m", "a length such as '50 um'"),
+    "indentation": ("m", "a length such as '50 um', or '-1 um' for a gap"),
     "roughness": ("m", "a length such as '20 nm'"),
     "thickness": ("m", "a length such as '2 mm'"),
     "density": ("kg/m^3", "a density such as '970 kg/m^3'"),
 }
 """Unit and example of every physical input."""
+
+SIGNED = ("indentation",)
+"""Inputs that may be zero or negative."""
 
 UNITS = {
     "load": "N",
@@ -75,7 +78,7 @@ def to_si(name: str, value: object) -> float:
     Raises
     ------
     InputError
-        If the value is not a positive, finite quantity of the right dimension; the message names the parameter.
+        If the value is not a positive (an indentation: not a), finite quantity of the right dimension; the message names the parameter.
     """
     unit, expected = KINDS[name]
     quantity: Any
@@ -94,7 +97,7 @@ def to_si(name: str, value: object) -> float:
     elif hasattr(value, "to") and hasattr(value, "magnitude"):
         quantity = value
     elif isinstance(value, SupportsFloat) and not isinstance(value, bool):
-        return _positive(name, float(value), value)
+        return _checked(name, float(value), value)
     else:
         raise InputError(f"{name}: cannot read {value!r}; expected {expected}")
     try:
@@ -103,12 +106,13 @@ def to_si(name: str, value: object) -> float:
         if type(error).__name__ == "DimensionalityError":
             raise InputError(f"{name}: {value!s} has the wrong dimension; expected {expected}") from None
         raise InputError(f"{name}: cannot read {value!r}; expected {expected}") from None
-    return _positive(name, number, value)
+    return _checked(name, number, value)
 
 
-def _positive(name: str, number: float, given: object) -> float:
-    if not (math.isfinite(number) and number > 0):
-        raise InputError(f"{name}: expected a positive, finite quantity, {KINDS[name][1]}; got {given!s}")
+def _checked(name: str, number: float, given: object) -> float:
+    signed = name in SIGNED
+    if not math.isfinite(number) or (number <= 0 and not signed):
+        raise InputError(f"{name}: expected a {'' if signed else 'positive, '}finite quantity, {KINDS[name][1]}; got {given!s}")
     return number
 
 
@@ -132,7 +136,7 @@ class Contact:
     load : str, float or pint.Quantity, optional
         Normal load N.
     indentation : str, float or pint.Quantity, optional
-        Depth |h₀| of the sphere's lowest point below the undeformed surface.
+        Depth −h₀ of the sphere's lowest point below the undeformed surface; zero or negative where it stays above, by a gap.
     cavitation : {"reynolds", "none"}
         Reynolds condition, or negative pressures allowed.
     roughness, thickness : str, float or pint.Quantity, optional
@@ -213,25 +217,38 @@ class Contact:
     # --- from SI to the dimensionless problem -----------------------------------------------------------------------
 
     @property
-    def hertz_indentation(self) -> float:
-        """Indentation of the dry contact under the load, Eq. (29), or the one prescribed [m]."""
-        if self.load is None:
-            assert self.indentation is not None
-            return self.indentation
-        return (3 * self.load / (16 * self.shear_modulus * math.sqrt(self.radius))) ** (2 / 3)
+    def unit_height(self) -> float:
+        """Height that lengths are normalised with [m].
+
+        The Hertz indentation of the load, Eq. (29), or |h₀| where that is prescribed; for h₀ = 0 the height that makes β = 1, where
+        the film is about as thick.
+        """
+        if self.load is not None:
+            return (3 * self.load / (16 * self.shear_modulus * math.sqrt(self.radius))) ** (2 / 3)
+        assert self.indentation is not None
+        if self.indentation == 0:
+            return math.sqrt(1.5 * self.radius * self.viscosity * self.speed / (math.pi * self.shear_modulus))
+        return abs(self.indentation)
+
+    @property
+    def unit_length(self) -> float:
+        """√(R × `unit_height`) [m]: the radius of the Hertz contact."""
+        return math.sqrt(self.radius * self.unit_height)
 
     def problem(self) -> Problem:
         """The dimensionless problem, Eq. (6d) or (30)."""
         try:
-            stiffness = (2 / 3) * (self.hertz_indentation**2 / self.radius) * math.pi * self.shear_modulus
+            stiffness = (2 / 3) * (self.unit_height**2 / self.radius) * math.pi * self.shear_modulus
             beta = stiffness / (self.viscosity * self.speed)
         except (ZeroDivisionError, OverflowError):
             beta = math.inf
         if not (math.isfinite(beta) and beta > 0):
             raise InputError(f"the inputs give beta = {beta:g}, which is no number to compute with; check their units")
-        if self.load is None:
-            return Problem(beta=beta, cavitation=self.cavitation)
-        return Problem(beta_load=beta, cavitation=self.cavitation)
+        if self.load is not None:
+            return Problem(beta_load=beta, cavitation=self.cavitation)
+        assert self.indentation is not None
+        height = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
+        return Problem(beta=beta, cavitation=self.cavitation, height=height)
 
     def solve(
         self, *, accuracy: float = 1e-3, method: str = "newton", progress: Callable[[str], None] | None = None
@@ -269,55 +286,47 @@ class Contact:
         return replace(solution, contact=self, dimensional=dimensional, warnings=self.doubts(dimensional))
 
     def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
-        """Quantities in SI, Eqs. (4) and (26), with the error of an indentation that follows from the load."""
-        # Under load control N̄ = (4/3π)(|h₀|/δ)^(−3/2): the relative error of |h₀| is 2/3 that of N̄.
-        load_error = quantities["load"].error / abs(quantities["load"])
-        if self.load is None:
-            height, height_error = self.hertz_indentation, 0.0
-        else:
-            from softlube.limits import HERTZ_LOAD
-
-            height = self.hertz_indentation * (float(quantities["load"]) / HERTZ_LOAD) ** (-2 / 3)
-            height_error = 2 / 3 * load_error
-        length = math.sqrt(self.radius * height)
+        """Quantities of `problem` in SI, Eqs. (4) and (26)."""
+        height, length = self.unit_height, self.unit_length
         pressure = 4 * math.pi * self.shear_modulus * math.sqrt(height / self.radius)
-        # Scale of each quantity, and the power of |h₀| in it.
         scales = {
-            "load": (pressure * length**2, 1.5),
-            "film": (height, 1.0),
-            "pressure": (pressure, 0.5),
-            "pressure_gradient_inlet": (pressure / length, 0.0),
-            "friction": (2 * math.pi / 3 * self.shear_modulus * height**2, 2.0),
-            "length": (length, 0.5),
-            "shear_rate_max": (self.speed / height, -1.0),
+            "load": pressure * length**2,
+            "film": height,
+            "pressure": pressure,
+            "pressure_gradient_inlet": pressure / length,
+            "friction": 2 * math.pi / 3 * self.shear_modulus * height**2,
+            "length": length,
+            "shear_rate_max": self.speed / height,
         }
         group = {"film_min_radius": "length", "boundary_layer": "length"}
         result = {}
         for name, quantity in quantities.items():
             if name not in UNITS:
                 continue
-            scale, power = scales[group.get(name) or (name if name in scales else name.split("_")[0])]
-            error = scale * (quantity.error + abs(power * float(quantity)) * height_error)
-            result[name] = Quantity(scale * float(quantity), error, UNITS[name])
+            scale = scales[group.get(name) or (name if name in scales else name.split("_")[0])]
+            result[name] = Quantity(scale * float(quantity), scale * quantity.error, UNITS[name])
         if self.load is not None:
             result["load"] = Quantity(self.load, 0.0, "N")
         friction, load = result["friction_domain"], result["load"]
         coefficient = friction / load
-        result["indentation"] = Quantity(height, height * height_error, "m")
-        result["contact_radius"] = Quantity(length, length * height_error / 2, "m")
+        result["indentation"] = Quantity(-height * float(quantities["height"]), height * quantities["height"].error, "m")
+        result["contact_radius"] = Quantity(length, 0.0, "m")
         result["friction_coefficient"] = Quantity(
-            coefficient, coefficient * (friction.error / abs(friction) + load.error / abs(load))
+            coefficient, abs(coefficient) * (friction.error / abs(friction) + load.error / abs(load))
         )
         return result
 
     def doubts(self, dimensional: Mapping[str, Quantity]) -> tuple[str, ...]:
         """Warnings where the model may not describe the experiment."""
         doubts = []
-        radius = float(dimensional["contact_radius"])
+        gap = max(-float(dimensional["indentation"]), 0.0)
+        lifted = gap > 0
+        # Over a gap the pressure is as wide as the parabola stays close.
+        radius = math.sqrt(2 * self.radius * gap) if lifted else float(dimensional["contact_radius"])
         if radius > LARGEST_SLOPE * self.radius:
             doubts.append(
-                f"the contact radius is {radius / self.radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and the "
-                "parabolic sphere are in doubt"
+                f"the {'pressure reaches' if lifted else 'contact radius is'} {radius / self.radius:.2g} R: beyond "
+                f"{LARGEST_SLOPE} R linear elasticity and the parabolic sphere are in doubt"
             )
         film = float(dimensional["film_min"])
         if self.roughness is not None and film < self.roughness:
@@ -330,7 +339,7 @@ class Contact:
             doubts.append(
                 f"the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
             )
-        if self.thickness is not None:
+        if self.thickness is not None and not lifted:
             # Dimitriadis et al., Biophys. J. 82 (2002) 2798, bonded incompressible layer.
             chi = radius / self.thickness
             stiffer = 1.133 * chi + 1.283 * chi**2 + 0.769 * chi**3 + 0.0975 * chi**4

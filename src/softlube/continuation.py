@@ -19,6 +19,8 @@ SMALLEST_RATIO = 1.02
 def march(problem: Problem, grid: PolarGrid, *, first: float = 30.0, ratio: float = 3.0) -> Iterator[NewtonResult]:
     """Solve on one grid from β = `first` (or its like under load control) to the problem's own, in geometric steps.
 
+    For contacts, h₀ < 0, where one unit of height serves all β.
+
     A step that fails is halved (in ln β); the iterator ends, unconverged result last, when the ratio would fall below
     `SMALLEST_RATIO`.
 

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
+from scipy import sparse
 from scipy.special import ellipe, ellipkm1
 
 from softlube.grid import RIM, PolarGrid
@@ -28,6 +29,10 @@ GAUSS_FAR = 4
 GAUSS_NEAR = 14
 NEAR = 2
 """Elements on each side of the target that get the graded rule."""
+LARGEST_BATCH = 8_000_000
+"""Kernel values held at a time."""
+NEGLIGIBLE = 37.0
+"""mη beyond which Q_{m−1/2} ~ e^{−mη} is below round-off."""
 STENCIL = np.arange(-3, 3)
 """Nodes of the quintic through which p is interpolated on an element, relative to its outer node."""
 
@@ -56,7 +61,7 @@ def ring_kernels(n_modes: int, r: Array, r_source: Array) -> Array:
     excess = np.maximum((r - r_source) ** 2 / (2 * r * r_source), 1e-30)
     shape, excess = excess.shape, excess.ravel()
     chi = 1 + excess
-    q = np.empty((n_modes, excess.size))
+    q = np.zeros((n_modes, excess.size))
     modulus = np.sqrt(2 / (chi + 1))
     q[0] = modulus * ellipkm1(excess / (chi + 1))
     eta = np.log1p(excess + np.sqrt(excess * (2 + excess)))  # χ = cosh η, Q_{m−1/2} falls like e^{−mη}
@@ -74,16 +79,16 @@ def ring_kernels(n_modes: int, r: Array, r_source: Array) -> Array:
     octave = np.where(forward, -1, np.floor(np.log2(np.maximum(eta * n_modes / 2, 1))))
     for number in np.unique(octave[octave >= 0]) if n_modes > 1 else ():
         band = octave == number
-        x = chi[band]
-        start = n_modes + int(18.5 / eta[band].min()) + 2
-        ratios = np.empty((n_modes, x.size))
+        x, nearest = chi[band], eta[band].min()
+        last = min(n_modes, int(NEGLIGIBLE / nearest) + 2)
+        ratios = np.empty((last, x.size))
         ratios[0] = q[0, band]
         ratio = np.exp(-eta[band])
-        for m in range(start, 0, -1):
+        for m in range(last + int(18.5 / nearest) + 2, 0, -1):
             ratio = (2 * m - 1) / (4 * m * x - (2 * m + 1) * ratio)
-            if m < n_modes:
+            if m < last:
                 ratios[m] = ratio
-        q[:, band] = np.cumprod(ratios, axis=0)
+        q[:last, band] = np.cumprod(ratios, axis=0)
 
     q = q.reshape(n_modes, *shape)
     q *= 2 / np.sqrt(r * r_source)
@@ -142,20 +147,27 @@ def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
 
     every = np.arange(n)
     node, weight = _interpolation(grid, every, points)
-    direct, mirror = np.zeros((2, n, GAUSS_FAR, n))
-    for column in range(STENCIL.size):
-        own = node[:, column] >= 0
-        direct[every[own], :, node[own, column]] += weight[own, :, column]
-        mirror[every[~own], :, -1 - node[~own, column]] += weight[~own, :, column]
-    direct, mirror = direct.reshape(-1, n), mirror.reshape(-1, n)
+    rows = np.broadcast_to(np.arange(n * GAUSS_FAR).reshape(n, GAUSS_FAR, 1), weight.shape)
+    columns = np.broadcast_to(node[:, None, :], weight.shape)
 
-    # Far elements: plain Gauss.  The near ones are masked out here and added below.
-    target, element = np.indices((n, n))
-    near = (element > target - NEAR) & (element <= target + NEAR)
-    kernel = ring_kernels(n_modes, grid.r[:, None], r_points.ravel())
-    kernel *= np.where(np.repeat(near, GAUSS_FAR, axis=1), 0, measure.ravel())
-    flat = kernel.reshape(n_modes * n, -1)
-    result = (flat @ direct).reshape(n_modes, n, n) + parity[:, :, None] * (flat @ mirror).reshape(n_modes, n, n)
+    def gathering(own: NDArray[np.bool_], column: NDArray[np.intp]) -> sparse.csr_array:
+        """From values at the points to the nodes that interpolate them, transposed."""
+        return sparse.csr_array((weight[own], (column[own], rows[own])), (n, n * GAUSS_FAR))
+
+    direct, mirror = gathering(columns >= 0, columns), gathering(columns < 0, -1 - columns)
+
+    # Far elements: plain Gauss.  The near ones are masked out here and added below.  A few targets at a time, to save memory.
+    result = np.empty((n_modes, n, n))
+    gather = [sparse.csr_array(direct + sign * mirror) for sign in (1.0, -1.0)]
+    batch = max(1, LARGEST_BATCH // (n_modes * n * GAUSS_FAR))
+    element = np.repeat(every, GAUSS_FAR)[:, None]
+    for first in range(0, n, batch):
+        target = every[first : first + batch]
+        near = (element > target - NEAR) & (element <= target + NEAR)
+        kernel = ring_kernels(n_modes, grid.r[target], r_points.reshape(-1, 1))
+        kernel *= np.where(near, 0, measure.reshape(-1, 1))
+        for m in range(n_modes):
+            result[m, target] = (gather[m % 2] @ kernel[m]).T
 
     # Near elements: ξ = target-side end ± L t⁴ removes the logarithm and follows kernels that are narrow for large m.
     x, x_weight = leggauss(GAUSS_NEAR)
@@ -175,7 +187,7 @@ def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
             result[:, target[own], node[own, column]] += share[:, own, column]
             result[:, target[~own], -1 - node[~own, column]] += parity * share[:, ~own, column]
 
-    return result, measure.ravel() @ (direct + mirror)
+    return result, np.asarray((direct + mirror) @ measure.ravel())
 
 
 def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
@@ -194,9 +206,7 @@ def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
     m_nodal = np.arange(grid.n_theta + 1)
     half = np.where((m_nodal == 0) | (m_nodal == grid.n_theta), 0.5, 1.0)
     nodal = np.cos(np.outer(m_nodal, grid.s)) * half * half[:, None] * 2 / grid.n_theta
-    if grid.side_spacing == 1:
-        return np.cos(np.outer(grid.theta, m_nodal)), nodal
-    n_modes = int(1.6 * grid.n_theta / grid.side_spacing) + 1
+    n_modes = 1 + max(grid.n_theta, int(1.3 * np.pi / np.min(np.diff(grid.theta))))
     n_fine = 4 * n_modes
     s = np.arange(n_fine + 1) * np.pi / n_fine
     weight = np.full(n_fine + 1, 2.0 / n_fine)
@@ -213,10 +223,12 @@ class HalfSpace:
 
     Attributes
     ----------
-    influence : ndarray, shape (n, n), n = number of nodes with the rim
-        Minus the displacement at the nodes (row) under nodal pressures (column): w = −influence @ p − (far field's share).
+    radial : ndarray, shape (n_modes, N, N)
+        Ring operators of each harmonic, see `radial_operators`; N radii with the rim.
+    synthesis, analysis : ndarray
+        From harmonics to nodal values in θ and back, see `angular_transform`.
     load_weights : ndarray, shape (n,)
-        Weights of ∫p dA over the disc inside the outermost node, whole plane (both halves).
+        Weights of ∫p dA over the disc inside the outermost node, whole plane (both halves); n nodes with the rim.
     far_pressure : ndarray, shape (2, n)
         Far field at the nodes per unit of 1/β: p = (far_pressure[0] + h₀ far_pressure[1])/β.
     far_displacement : ndarray, shape (2, n)
@@ -225,11 +237,35 @@ class HalfSpace:
         Load carried beyond the outermost node, in the same two parts.
     """
 
-    influence: Array
+    radial: Array
+    synthesis: Array
+    analysis: Array
     load_weights: Array
     far_pressure: Array
     far_displacement: Array
     far_load: Array
+
+    def deflection(self, pressure: Array) -> Array:
+        """Displacement of the surface, sign reversed, at all nodes under nodal pressures, Eq. (6b).
+
+        Parameters
+        ----------
+        pressure : ndarray, shape (k,)
+            On the innermost rings, as many as there are; zero beyond.  Harmonic by harmonic, so that this costs the number of
+            harmonics times the square of the number of rings.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+        """
+        rings = pressure.reshape(-1, self.analysis.shape[1])
+        harmonics = (self.analysis @ rings.T)[:, :, None]
+        displaced = np.matmul(self.radial[:, :, : rings.shape[0]], harmonics)[:, :, 0]
+        return (self.synthesis @ displaced).T.ravel()
+
+    def ring_coupling(self, target: int, sources: slice) -> Array:
+        """Deflection of one ring under pressures on some others, shape (number of sources, n_angles, n_angles)."""
+        return np.matmul(self.synthesis * self.radial[:, target, sources].T[:, None, :], self.analysis)
 
 
 def half_space(grid: PolarGrid, cavitation: str) -> HalfSpace:
@@ -237,12 +273,6 @@ def half_space(grid: PolarGrid, cavitation: str) -> HalfSpace:
     synthesis, analysis = angular_transform(grid)
     n_modes = analysis.shape[0]
     radial, weights = radial_operators(grid, n_modes)
-    n_r, n_angles = grid.shape
-    influence = np.empty((n_r, n_angles, n_r, n_angles))
-    for target_angle in range(n_angles):
-        angular = synthesis[target_angle, :, None] * analysis
-        influence[:, target_angle] = (radial.reshape(n_modes, -1).T @ angular).reshape(n_r, n_r, n_angles)
-    influence = influence.reshape(n_r * n_angles, -1)
 
     # Beyond the contact u = h₀ + r²/2 up to O(1/r), so p = f(θ)/(βr³)·(1 − 4h₀/r²), Eq. (9) with its first correction
     # (from Kapitza's solution).  With r′ = a/t the integral over (a, ∞) becomes one over t in (0, 1).
@@ -261,7 +291,9 @@ def half_space(grid: PolarGrid, cavitation: str) -> HalfSpace:
     far_displacement = np.einsum("m,pmr,km->prk", harmonics, parts, synthesis).reshape(2, -1)
 
     return HalfSpace(
-        influence=influence,
+        radial=radial,
+        synthesis=synthesis,
+        analysis=analysis,
         load_weights=2 * np.pi * np.outer(weights, analysis[0]).ravel(),
         far_pressure=far_pressure,
         far_displacement=far_displacement,

@@ -24,11 +24,12 @@ class Chart(Protocol):
     def s_of(self, theta: ArrayLike) -> Array: ...
     def theta_of(self, s: ArrayLike) -> Array: ...
     def dtheta_ds(self, s: ArrayLike) -> Array: ...
+    def scaled(self, factor: float) -> Chart: ...
 
 
 @dataclass(frozen=True)
 class Fields:
-    """Pressure and film on the nodes of a polar mesh, normalised with |h₀| as in the paper, Eq. (4).
+    """Pressure and film on the nodes of a polar mesh, normalised as in the paper, Eq. (4), with |h₀| or another unit of height.
 
     Parameters
     ----------
@@ -41,10 +42,12 @@ class Fields:
     pressure, film : ndarray, shape (n_r, n_theta)
         p̄ and ū.
     beta : float
-        β, Eq. (6d).
+        β, Eq. (6d), with the unit of height in place of |h₀|.
     cavitation : {"reynolds", "none"}
     load : float
         ∫p dA over the whole plane, taken by the discretisation's own quadrature.
+    height : float
+        h₀ over the unit of height: −1 in the paper's normalisation.
     """
 
     chart: Chart
@@ -55,6 +58,21 @@ class Fields:
     beta: float
     cavitation: Cavitation
     load: float
+    height: float = -1.0
+
+    def in_units(self, unit: float) -> Fields:
+        """The same fields normalised with another unit of height, given over the present one; Eq. (4)."""
+        return Fields(
+            chart=self.chart.scaled(unit**-0.5),
+            r=self.r * unit**-0.5,
+            theta=self.theta,
+            pressure=self.pressure * unit**-0.5,
+            film=self.film / unit,
+            beta=self.beta * unit**2,
+            cavitation=self.cavitation,
+            load=self.load * unit**-1.5,
+            height=self.height / unit,
+        )
 
     def _spline(self, values: Array) -> RectBivariateSpline:
         """Cubic spline through nodal values, continued evenly across θ = 0 and π and through the centre."""

@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.special import ellipkinc
 
 Array = NDArray[np.floating]
 
@@ -20,6 +21,9 @@ RIM = 2
 
 THINNING, WIDE = 0.8, 2.0
 """How much the mesh is thinned beyond the contact, and from where (over the contact radius)."""
+
+CROWDING = 0.5
+"""Share of the angles that is drawn towards 90°."""
 
 
 @dataclass(frozen=True)
@@ -31,8 +35,9 @@ class PolarGrid:
     where the pressure is a power of r.  ξ is odd in r, so the mesh continues smoothly through the centre to the opposite
     side, (−r, θ) = (r, π − θ).
 
-    Angularly, θ(s) = s + arctan[q sin 2s/(1 − q cos 2s)] with q = (1 − c)/(1 + c), c = `side_spacing`: dθ/ds is c at 90° and
-    1/c on the axis, and functions even and periodic in θ are so in s.
+    Angularly, ds/dθ ∝ 1 + 0.5/√(w² + cos²θ) with w = `side_layer`: intervals shrink in proportion to the distance from 90°,
+    down to a zone of angle w around it.  The number of angles that it takes to resolve a layer thus grows only like the
+    logarithm of its width.  Functions even and periodic in θ are so in s.
 
     Parameters
     ----------
@@ -40,8 +45,8 @@ class PolarGrid:
         Number of cells along r, and of intervals along θ (n_theta + 1 nodes, the axis included at both ends).
     layer : float
         Width of the refined zone at the contact edge, relative to `edge`.
-    side_spacing : float
-        Angular spacing at θ = 90° relative to the mean one, 0 < c ≤ 1.
+    side_layer : float
+        Angle of the refined zone at θ = 90°, in radians.
     reach : float
         Outer radius of the last cell, relative to `edge`.
     edge : float
@@ -51,15 +56,15 @@ class PolarGrid:
     n_r: int
     n_theta: int
     layer: float = 0.05
-    side_spacing: float = 0.6
+    side_layer: float = 0.5
     reach: float = 20.0
     edge: float = 1.0
 
     def __post_init__(self) -> None:
         if self.n_r < 8 or self.n_theta < 6:
             raise ValueError(f"a polar grid needs n_r >= 8 and n_theta >= 6, not {self.n_r} x {self.n_theta}")
-        if not (self.layer > 0 and 0 < self.side_spacing <= 1 and self.reach > 1 and self.edge > 0):
-            raise ValueError("a polar grid needs layer > 0, 0 < side_spacing <= 1, reach > 1 and edge > 0")
+        if not (self.layer > 0 and self.side_layer > 0 and self.reach > 1 and self.edge > 0):
+            raise ValueError("a polar grid needs layer > 0, side_layer > 0, reach > 1 and edge > 0")
 
     # --- radial direction -------------------------------------------------------------------------------------------
 
@@ -73,7 +78,8 @@ class PolarGrid:
         """Radius r of the uniform coordinate ξ (Newton's method on `xi_of`, to round-off)."""
         xi = np.asarray(xi, dtype=float)
         d = self.layer
-        table = np.sinh(np.linspace(0, np.arcsinh(2 * self.reach / d), 400)) * d
+        table = 1 + d * np.sinh(np.linspace(-np.arcsinh(1 / d), np.arcsinh(2 * self.reach / d), 800))
+        table[0] = 0
         rho = np.interp(np.abs(xi), self.xi_of(table * self.edge), table)
         for _ in range(20):
             step = (self.xi_of(rho * self.edge) - np.abs(xi)) * self.dr_dxi(rho * self.edge) / self.edge
@@ -110,30 +116,43 @@ class PolarGrid:
 
     # --- angular direction ------------------------------------------------------------------------------------------
 
-    @cached_property
-    def _q(self) -> float:
-        return (1 - self.side_spacing) / (1 + self.side_spacing)
+    def _crowded(self, angle: Array) -> Array:
+        """∫ (1 + CROWDING/√(w² + sin²φ)) dφ from 90° to an angle from there, an elliptic integral."""
+        return angle + CROWDING / self.side_layer * ellipkinc(angle, -1 / self.side_layer**2)
 
-    def theta_of(self, s: ArrayLike) -> Array:
-        """Angle θ of the uniform coordinate s."""
-        s = np.asarray(s, dtype=float)
-        return s + np.arctan2(self._q * np.sin(2 * s), 1 - self._q * np.cos(2 * s))
+    @cached_property
+    def _stretch(self) -> float:
+        """Length of the quarter circle in the crowded measure, over its length in s."""
+        return float(self._crowded(np.array(np.pi / 2))) / (np.pi / 2)
+
+    @cached_property
+    def _angles(self) -> tuple[Array, Array]:
+        """A table of s and θ, dense around 90°."""
+        angle = np.geomspace(1e-6 * self.side_layer, np.pi / 2, 1000)
+        theta = np.pi / 2 + np.concatenate([-angle[::-1], [0.0], angle])
+        return self.s_of(theta), theta
 
     def s_of(self, theta: ArrayLike) -> Array:
         """Uniform coordinate s of angle θ in [0, π]."""
-        theta = np.asarray(theta, dtype=float)
-        s = theta
-        for _ in range(50):
-            step = (self.theta_of(s) - theta) / self.dtheta_ds(s)
-            s = s - np.clip(step, -0.5, 0.5)
-            if np.all(np.abs(step) < 1e-15):
+        return np.pi / 2 + self._crowded(np.asarray(theta, dtype=float) - np.pi / 2) / self._stretch
+
+    def theta_of(self, s: ArrayLike) -> Array:
+        """Angle θ of the uniform coordinate s in [0, π] (Newton's method on `s_of`, to round-off)."""
+        s = np.asarray(s, dtype=float)
+        theta = np.interp(s, *self._angles)
+        for _ in range(20):
+            step = (self.s_of(theta) - s) * self._slope(theta)
+            theta = theta - step
+            if np.all(np.abs(step) <= 1e-9 * self.side_layer):  # quadratic: the next step would be round-off
                 break
-        return s
+        return theta
+
+    def _slope(self, theta: Array) -> Array:
+        return self._stretch / (1 + CROWDING / np.hypot(self.side_layer, np.cos(theta)))
 
     def dtheta_ds(self, s: ArrayLike) -> Array:
-        """Derivative dθ/ds at s."""
-        cosine = np.cos(2 * np.asarray(s, dtype=float))
-        return 1 + 2 * self._q * (cosine - self._q) / (1 - 2 * self._q * cosine + self._q**2)
+        """Derivative dθ/ds at s in [0, π]."""
+        return self._slope(self.theta_of(s))
 
     @cached_property
     def d_s(self) -> float:

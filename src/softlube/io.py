@@ -23,6 +23,7 @@ from softlube.quantities import DESCRIPTION
 from softlube.solution import Level, Quantity, Record, SavedRecord, Solution
 
 SI_SUFFIX = "_SI"
+OTHER_SUFFIX = "_other"
 POLAR = "plain polar coordinates"
 FIELD_NAMES = {"pressure": "pressure", "film": "film thickness", "displacement": "surface displacement of the substrate"}
 
@@ -46,22 +47,25 @@ def _chart(stored: str) -> Chart:
 def to_dataset(solution: Solution) -> xr.Dataset:
     """Fields, quantities, inputs and version as one Dataset.
 
-    Fields are on (r, theta), 0 ≤ θ ≤ π from the inlet, normalised with |h₀| as in the paper; so are the scalar quantities, with
-    their error among the attributes.  With physical input the same names ending in ``_SI`` are in SI units.
+    Fields are on (r, theta), 0 ≤ θ ≤ π from the inlet, normalised like the solution's quantities, which are there with their error
+    among the attributes.  The same names ending in ``_other`` are normalised the other way (see `Solution.normalised`), those ending in
+    ``_SI`` are in SI units if the input was physical.
     """
     fields = solution.fields
-    displacement = (-1 + fields.r[:, None] ** 2 / 2) - fields.film
+    displacement = (fields.height + fields.r[:, None] ** 2 / 2) - fields.film
     values = {"pressure": fields.pressure, "film": fields.film, "displacement": displacement}
     data: dict[str, xr.DataArray] = {
         name: xr.DataArray(values[name], dims=("r", "theta"), attrs={"long_name": text, "units": "1"})
         for name, text in FIELD_NAMES.items()
     }
-    for quantities, suffix in ((solution.quantities, ""), (solution.dimensional, SI_SUFFIX)):
+    own, other = ("load", "indentation") if solution.problem.load_controlled else ("indentation", "load")
+    families = ((solution.quantities, ""), (solution.other_quantities, OTHER_SUFFIX), (solution.dimensional, SI_SUFFIX))
+    for quantities, suffix in families:
         for name, quantity in quantities.items():
             attributes = {"long_name": DESCRIPTION.get(name, name.replace("_", " ")), "units": quantity.unit or "1"}
             data[name + suffix] = xr.DataArray(float(quantity), attrs=attributes | {"error": quantity.error})
     coordinates = {
-        "r": ("r", fields.r, {"long_name": "distance from the axis over the contact radius", "units": "1"}),
+        "r": ("r", fields.r, {"long_name": "distance from the axis over the unit of length", "units": "1"}),
         "theta": ("theta", fields.theta, {"long_name": "angle from the inlet", "units": "rad"}),
     }
     chart = fields.chart
@@ -72,6 +76,9 @@ def to_dataset(solution: Solution) -> xr.Dataset:
         "converged": int(solution.converged),
         "beta": solution.beta,
         "beta_load": solution.beta_load,
+        "height": fields.height,
+        "normalisation": own,
+        "other_normalisation": other,
         "cavitation": solution.problem.cavitation,
         "accuracy": solution.accuracy,
         "problem": json.dumps(asdict(solution.problem)),
@@ -82,8 +89,8 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     if solution.contact is not None:
         contact = solution.contact
         attributes["inputs_SI"] = json.dumps(contact.inputs())
-        length, height = float(solution.dimensional["contact_radius"]), float(solution.dimensional["indentation"])
-        pressure = float(solution.dimensional["pressure_center"]) / float(solution.quantities["pressure_center"])
+        length, height = contact.unit_length, contact.unit_height
+        pressure = float(solution.dimensional["pressure_max"]) / float(solution.quantities["pressure_max"])
         for name, scale, unit in (("pressure", pressure, "Pa"), ("film", height, "m"), ("displacement", height, "m")):
             attrs = {"long_name": FIELD_NAMES[name], "units": unit}
             data[name + SI_SUFFIX] = xr.DataArray(values[name] * scale, dims=("r", "theta"), attrs=attrs)
@@ -127,10 +134,12 @@ def load(path: str | os.PathLike[str]) -> Solution:
                 float(item), item.attrs["error"], "" if item.attrs["units"] == "1" else item.attrs["units"]
             )
             for name, item in data.data_vars.items()
-            if item.ndim == 0 and str(name).endswith(SI_SUFFIX) == bool(suffix)
+            if item.ndim == 0 and next((s for s in (SI_SUFFIX, OTHER_SUFFIX) if str(name).endswith(s)), "") == suffix
         }
 
     attrs: Mapping = data.attrs
+    if "height" not in attrs:
+        raise InputError(f"path: {str(path)!r} was written by an earlier version of softlube; solve and save it again")
     problem = Problem(**json.loads(attrs["problem"]))
     quantities = read("")
     levels = json.loads(attrs["levels"])
@@ -142,9 +151,10 @@ def load(path: str | os.PathLike[str]) -> Solution:
             theta=data.theta.to_numpy(),
             pressure=data.pressure.to_numpy(),
             film=data.film.to_numpy(),
-            beta=float(attrs["beta"]),
+            beta=problem.parameter,
             cavitation=problem.cavitation,
             load=float(quantities["load"]),
+            height=float(attrs["height"]),
         ),
         quantities=quantities,
         beta=float(attrs["beta"]),
@@ -155,5 +165,6 @@ def load(path: str | os.PathLike[str]) -> Solution:
         converged=bool(np.asarray(attrs["converged"]).item()),
         contact=Contact.from_inputs(json.loads(attrs["inputs_SI"])) if "inputs_SI" in attrs else None,
         dimensional=read(SI_SUFFIX),
+        other_quantities=read(OTHER_SUFFIX),
         warnings=tuple(json.loads(attrs["warnings"])),
     )

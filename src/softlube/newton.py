@@ -1,9 +1,9 @@
-"""Semismooth Newton method for complementarity problems; knows vectors, no physics.
+"""Semismooth Newton-Krylov method for complementarity problems; knows vectors, no physics.
 
 Find x with, for every constrained unknown, x ≥ 0, R(x) ≥ 0 and x·R(x) = 0, and R(x) = 0 for the others.  With scales c > 0
 this is x = max(0, x − R/c): the unknowns with x − R/c ≤ 0 form the active set, where the step goes to x = 0; on the others
-Newton's equation holds.  The active set settles after a few steps, and the convergence is then quadratic (Hintermüller, Ito &
-Kunisch 2003).
+Newton's equation holds, and preconditioned GMRES solves it.  The active set settles after a few steps, and the convergence is then
+as fast as the linear equations are solved well (Hintermüller, Ito & Kunisch 2003).
 """
 
 from __future__ import annotations
@@ -13,13 +13,31 @@ from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import lapack
+from scipy.sparse.linalg import LinearOperator, gmres
 
 Array = NDArray[np.floating]
 Mask = NDArray[np.bool_]
 
-REUSE_BELOW = 3e-3
-"""Relative size of a step below which the Jacobian is kept for the next one."""
+LINEAR_TOLERANCE = 1e-4
+"""Reduction of the (preconditioned) linear residual in each Newton step."""
+LARGEST_KRYLOV = 60
+"""Iterations of GMRES at most; some ten are usual."""
+
+
+class LinearEquation(Protocol):
+    """J step = r on some unknowns, in a form near to the identity for GMRES, which need not have step as its unknown."""
+
+    def right(self, residual: Array) -> Array:
+        """Right-hand side from r, a whole vector, zero on the other unknowns."""
+        ...
+
+    def operator(self, unknown: Array) -> Array:
+        """Left-hand side."""
+        ...
+
+    def step(self, unknown: Array) -> Array:
+        """The step, a whole vector, zero on the other unknowns."""
+        ...
 
 
 class Linearised(Protocol):
@@ -39,8 +57,12 @@ class Linearised(Protocol):
         """Jacobian times a vector."""
         ...
 
-    def dense(self, free: NDArray[np.intp]) -> Array:
-        """Rows and columns `free` of the Jacobian."""
+    def equation(self, free: Mask) -> LinearEquation:
+        """Newton's equation on the unknowns `free`, preconditioned."""
+        ...
+
+    def size(self, step: Array) -> float:
+        """How large a step is, relative to the state."""
         ...
 
     def longest_step(self, step: Array) -> float:
@@ -60,12 +82,12 @@ class System(Protocol):
 
 @dataclass(frozen=True)
 class Iteration:
-    """One Newton step: relative size of the full step, fraction taken, active unknowns, largest residual on the free ones."""
+    """One Newton step: relative size of the full step, fraction taken, active unknowns, iterations of GMRES."""
 
     step: float
     fraction: float
     n_active: int
-    residual: float
+    krylov: int
 
     @property
     def count(self) -> int:
@@ -95,21 +117,8 @@ class NewtonResult:
     history: tuple[Iteration, ...]
 
 
-@dataclass(frozen=True)
-class _Factorised:
-    """A factorised Jacobian, to be used again while it serves."""
-
-    active: Mask
-    scale: Array
-    lu: Array
-    pivots: NDArray[np.intp]
-
-
-def newton(system: System, start: Array, *, tolerance: float = 1e-11, max_iterations: int = 40) -> NewtonResult:
+def newton(system: System, start: Array, *, tolerance: float = 1e-9, max_iterations: int = 40) -> NewtonResult:
     """Solve a complementarity problem from a starting point.
-
-    Near the solution, where the active set has settled, the last factorised Jacobian is used again as long as it shrinks the
-    steps tenfold; the residual is always the exact one.
 
     Parameters
     ----------
@@ -118,42 +127,49 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-11, max_iterat
     start : ndarray
         First iterate.
     tolerance : float
-        Size that the next step would have, to go by the last two, relative to the largest unknown.
+        Size (see `Linearised.size`) that the next step would have, to go by the last two.
     max_iterations : int
         Steps before giving up.
     """
     x = np.array(start, dtype=float)
     history: list[Iteration] = []
-    factorised: _Factorised | None = None
+    before: Mask | None = None
     for _ in range(max_iterations):
         at = system.linearise(x)
-        scale = at.scale if factorised is None else factorised.scale
-        active = system.constrained & (x - at.residual / scale <= 0)
-        settled = factorised is not None and np.array_equal(active, factorised.active)
-        free = np.flatnonzero(~active)
+        active = system.constrained & (x - at.residual / at.scale <= 0)
+        free = ~active
+        settled = before is not None and np.array_equal(active, before)
         step = np.where(active, -x, 0.0)
-        right = -at.residual[free]
-        if step.any():
-            right = right - at.times(step)[free]
-        if not settled or factorised is None:
-            lu, pivots, singular = lapack.dgetrf(at.dense(free), overwrite_a=True)
-            if singular:
-                break
-            factorised = _Factorised(active, scale, lu, pivots)
-        step[free] = lapack.dgetrs(factorised.lu, factorised.pivots, right)[0]
+        right = np.where(free, -at.residual - (at.times(step) if step.any() else 0.0), 0.0)
+        correction, krylov = _solve(at.equation(free), right)
+        step += correction
         if not np.all(np.isfinite(step)):
             break
-        fraction = at.longest_step(step)
-        size = float(np.max(np.abs(step)) / max(np.max(np.abs(x)), 1e-300))
-        contraction = min(1.0, size / history[-1].step) if history else 1.0
-        history.append(Iteration(size, fraction, int(active.sum()), float(np.max(np.abs(at.residual[free]), initial=0))))
+        fraction, size = at.longest_step(step), at.size(step)
+        contraction = min(1.0, size / history[-1].step) if history and settled else 1.0
+        history.append(Iteration(size, fraction, int(active.sum()), krylov))
         x = x + fraction * step
         if fraction == 1:
             x[active] = 0.0
         if settled and fraction == 1 and size * contraction < tolerance:
             return NewtonResult(x, True, tuple(history))
-        if fraction < 1 or size > REUSE_BELOW or (settled and contraction > 0.1):
-            factorised = None
         if fraction < 1e-6:
             break
+        before = active
     return NewtonResult(x, False, tuple(history))
+
+
+def _solve(equation: LinearEquation, residual: Array) -> tuple[Array, int]:
+    """The solution of Newton's equation by GMRES, and the number of iterations."""
+    right = equation.right(residual)
+    norms: list[float] = []
+    solution, _ = gmres(
+        LinearOperator((right.size, right.size), matvec=equation.operator, dtype=float),
+        right,
+        rtol=LINEAR_TOLERANCE,
+        restart=LARGEST_KRYLOV,
+        maxiter=1,
+        callback=norms.append,
+        callback_type="pr_norm",
+    )
+    return equation.step(solution), len(norms)

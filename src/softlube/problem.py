@@ -20,21 +20,26 @@ class Problem:
     Parameters
     ----------
     beta : float, optional
-        β = (2/3)(h₀²/R) πG/(ηv), Eq. (6d): the indentation |h₀| (h₀ < 0) is prescribed.
+        β = (2/3)(h₀²/R) πG/(ηv), Eq. (6d): the height h₀ is prescribed, see `height`.
     beta_load : float, optional
         The same with the Hertz indentation δ of the load in place of |h₀|, Eq. (30): the load is prescribed, h₀ is unknown.
     cavitation : {"reynolds", "none"}
         Reynolds condition (p ≥ 0, Eq. 17 ff.), or negative pressures allowed.
+    height : {-1, 0, 1}
+        Sign of the prescribed height of the sphere's lowest point over the undeformed surface: −1, the paper's indentation; 1, a gap |h₀|; 0,
+        a sphere just touching the undeformed surface, where the height that β is formed with is any other unit of height.
 
     Raises
     ------
     InputError
-        If not exactly one of β and β_load is given, or one is not positive and finite, or the cavitation model is unknown.
+        If not exactly one of β and β_load is given, or one is not positive and finite, or the cavitation model is unknown, or a
+        height is given with a load.
     """
 
     beta: float | None = None
     beta_load: float | None = None
     cavitation: Cavitation = "reynolds"
+    height: int = -1
 
     def __post_init__(self) -> None:
         if (self.beta is None) == (self.beta_load is None):
@@ -50,6 +55,10 @@ class Problem:
         object.__setattr__(self, name, number)
         if self.cavitation not in get_args(Cavitation):
             raise InputError(f"cavitation: expected 'reynolds' or 'none', got {self.cavitation!r}")
+        if self.height not in (-1, 0, 1):
+            raise InputError(f"height: expected -1 (indentation), 0 or 1 (gap), got {self.height!r}")
+        if self.beta_load is not None and self.height != -1:
+            raise InputError("height, beta_load: under a prescribed load the height is an unknown; leave it out")
 
     @property
     def load_controlled(self) -> bool:

@@ -1,6 +1,6 @@
 """Numbers read off a solution: loads, films, gradients, friction; Eqs. (20)-(22), (25)-(27).
 
-Everything is normalised with |h₀| as in the paper.  Extrema are found between the nodes, and integrals are exact for the
+Everything is normalised like the fields: with |h₀| as in the paper, or with the Hertz indentation of the load.  Extrema are found between the nodes, and integrals are exact for the
 interpolated fields up to quadrature of high order.
 """
 
@@ -29,6 +29,7 @@ INLET, OUTLET = np.array([0.0]), np.array([np.pi])
 DESCRIPTION = {
     "load": "normal load, whole plane",
     "load_contact": "normal load over r ≤ a",
+    "height": "height of the sphere over the undeformed surface",
     "film_center": "film at the centre",
     "film_min": "minimum film",
     "film_min_radius": "radius of the minimum film",
@@ -108,7 +109,7 @@ def load_within(fields: Fields, cutoff: float) -> float:
 
 
 def friction_within(fields: Fields, cutoff: float) -> float:
-    """Friction force on the sphere over r ≤ cutoff, Eq. (27a), in units of (2π/3) G h₀².
+    """Friction force on the sphere over r ≤ cutoff, Eq. (27a), in units of (2π/3) G h₀² (or of the unit of height squared).
 
     ∫ (3 ū ∂p̄/∂x + 1/(βū)) dA.  The Couette part grows like ln(cutoff) as the film opens, so a friction is a number only
     together with its region.  Behind the free boundary the gap counts as full of liquid, as in the paper.
@@ -135,11 +136,19 @@ def measure(fields: Fields) -> dict[str, float]:
     xi_nodes, s_nodes = chart.xi_of(fields.r), chart.s_of(fields.theta)
     inside = float(chart.xi_of(min(DOMAIN, fields.r[-1])))
     everywhere = float(xi_nodes[-1])
-    xi, s = _fine(xi_nodes, 0.0, inside, 3), _fine(s_nodes, 0.0, np.pi, 3)
 
-    xi_film, s_film, film_min = _zoom_plane(lambda a, b: fields.film_spline(a, b), xi, s)
-    pressure_max = -_zoom_plane(lambda a, b: -fields.pressure_spline(a, b), xi, s)[2]
-    shear_rate_max = -_zoom_plane(lambda a, b: -wall_shear_rate(fields, a, b), xi[1:], s)[2]
+    def around(nodal: Array) -> tuple[Array, Array]:
+        """A fine mesh of two intervals on each side of the least nodal value."""
+        i, k = np.unravel_index(int(np.argmin(nodal)), nodal.shape)
+        xi = _fine(xi_nodes, xi_nodes[i - 2] if i >= 2 else 0.0, xi_nodes[min(i + 2, xi_nodes.size - 1)], 4)
+        s = _fine(s_nodes, s_nodes[max(k - 2, 0)], s_nodes[min(k + 2, s_nodes.size - 1)], 4)
+        return xi, s if i >= 2 else s_nodes  # at the centre every angle is the same place
+
+    xi_film, s_film, film_min = _zoom_plane(lambda a, b: fields.film_spline(a, b), *around(fields.film))
+    pressure_max = -_zoom_plane(lambda a, b: -fields.pressure_spline(a, b), *around(-fields.pressure))[2]
+    sheared = -wall_shear_rate(fields, xi_nodes[1:], s_nodes)
+    xi_shear, s_shear = around(np.vstack([np.zeros((1, s_nodes.size)), sheared]))
+    shear_rate_max = -_zoom_plane(lambda a, b: -wall_shear_rate(fields, a, b), np.maximum(xi_shear, xi_nodes[1] / 8), s_shear)[2]
 
     def on_axis(angle: float, f: Callable[[Array], Array], high: float) -> tuple[float, float]:
         """Minimum along the inlet (angle 0) or outlet (π) axis."""
@@ -151,10 +160,11 @@ def measure(fields: Fields) -> dict[str, float]:
         return -np.abs(fields.pressure_spline(x, INLET, dx=1)[:, 0]) / chart.dr_dxi(chart.r_of(x))
 
     outlet_min = on_axis(np.pi, lambda x: fields.film_spline(x, OUTLET)[:, 0], inside)[1]
-    xi_slope, slope = on_axis(0.0, inlet_slope, everywhere)
+    slope = on_axis(0.0, inlet_slope, everywhere)[1]
     return {
         "load": fields.load,
         "load_contact": load_within(fields, CONTACT),
+        "height": fields.height,
         "film_center": float(fields.film_at(0.0, 0.0)),
         "film_min": film_min,
         "film_min_radius": float(chart.r_of(xi_film)),
@@ -164,21 +174,21 @@ def measure(fields: Fields) -> dict[str, float]:
         "pressure_center": float(fields.pressure_at(0.0, 0.0)),
         "pressure_max": pressure_max,
         "pressure_gradient_inlet": -slope,
-        "boundary_layer": _boundary_layer(fields, pressure_max, xi_slope),
+        "boundary_layer": _boundary_layer(fields, pressure_max),
         "friction_contact": friction_within(fields, CONTACT),
         "friction_domain": friction_within(fields, min(DOMAIN, float(fields.r[-1]))),
         "shear_rate_max": shear_rate_max,
     }
 
 
-def _boundary_layer(fields: Fields, pressure_max: float, xi_slope: float) -> float:
+def _boundary_layer(fields: Fields, pressure_max: float) -> float:
     """Distance from r = 1 to where the pressure on the inlet axis has fallen to 5 % of its maximum, Eq. (21)."""
     xi_nodes = fields.chart.xi_of(fields.r)
-    xi = _fine(xi_nodes, xi_slope, float(xi_nodes[-1]), 2)
+    xi = _fine(xi_nodes, 0.0, float(xi_nodes[-1]), 2)
     for _ in range(6):
-        below = fields.pressure_spline(xi, INLET)[:, 0] < BOUNDARY_LAYER_LEVEL * pressure_max
-        if not below.any():
+        above = fields.pressure_spline(xi, INLET)[:, 0] >= BOUNDARY_LAYER_LEVEL * pressure_max
+        last = int(np.flatnonzero(above)[-1]) if above.any() else xi.size - 1
+        if last == xi.size - 1:
             return float("nan")
-        i = max(int(np.argmax(below)), 1)
-        xi = np.linspace(xi[i - 1], xi[i], 33)
+        xi = np.linspace(xi[last], xi[last + 1], 33)
     return float(fields.chart.r_of(xi.mean())) - 1

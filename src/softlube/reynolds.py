@@ -32,7 +32,7 @@ def _kron(left: Array, right: Array) -> Sparse:
     return sparse.csr_array(sparse.kron(sparse.csr_array(left), sparse.csr_array(right)))
 
 
-def _scaled(matrix: Sparse, factor: Array) -> Sparse:
+def scaled_rows(matrix: Sparse, factor: Array) -> Sparse:
     """The rows of a sparse matrix times a factor each."""
     return sparse.csr_array(
         (matrix.data * np.repeat(factor, np.diff(matrix.indptr)), matrix.indices, matrix.indptr), matrix.shape
@@ -159,8 +159,8 @@ class ReynoldsOperator:
             film_face = midpoint @ film
             mobility = conductance * film_face**3
             transport = 3 * conductance * film_face**2 * (slope @ pressure) + speed * drag
-            by_pressure = by_pressure - divergence @ _scaled(slope, mobility)
-            by_film = by_film - divergence @ _scaled(midpoint, transport)
+            by_pressure = by_pressure - divergence @ scaled_rows(slope, mobility)
+            by_film = by_film - divergence @ scaled_rows(midpoint, transport)
         return by_pressure, by_film
 
     def _directions(self) -> Iterator[tuple[Sparse, Sparse, Sparse, Array, Array]]:

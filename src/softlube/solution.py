@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from softlube.errors import InputError
 from softlube.fields import Fields
 from softlube.problem import Problem
 
@@ -85,13 +86,15 @@ class SavedRecord:
 
 @dataclass(frozen=True)
 class Level:
-    """One grid on the way to the answer: its cells (n_r × n_theta), the quantities on it, what the method did, how long."""
+    """One grid on the way to the answer: its cells (n_r × n_theta), the quantities on it (in the other normalisation too, where
+    that exists), what the method did, how long."""
 
     n_r: int
     n_theta: int
     values: Mapping[str, float]
     history: tuple[Record, ...]
     seconds: float
+    other_values: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -106,9 +109,12 @@ class Solution:
     problem : Problem
         What was solved.
     fields : Fields
-        Pressure and film as functions of position, normalised with |h₀|; `dataset` has them as an xarray Dataset.
+        Pressure and film as functions of position, normalised like the quantities; `dataset` has them as an xarray Dataset.
     quantities : mapping of str to Quantity
-        Normalised with |h₀| as in the paper; see `softlube.quantities.DESCRIPTION`.
+        See `softlube.quantities.DESCRIPTION`.  Normalised with what is prescribed: with |h₀| as in the paper where that is, with
+        the Hertz indentation δ of the load, Eq. (29), where the load is.
+    other_quantities : mapping of str to Quantity
+        The same normalised the other way; empty for h₀ ≥ 0, where |h₀| is no scale.  See `normalised`.
     beta, beta_load : float
         β of Eq. (6d) and β of Eq. (30).
     accuracy : float
@@ -138,6 +144,27 @@ class Solution:
     contact: Contact | None = None
     dimensional: Mapping[str, Quantity] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    other_quantities: Mapping[str, Quantity] = field(default_factory=dict)
+
+    def normalised(self, by: str) -> Mapping[str, Quantity]:
+        """Quantities normalised with the indentation |h₀| or with the Hertz indentation of the load.
+
+        Parameters
+        ----------
+        by : {"indentation", "load"}
+
+        Raises
+        ------
+        InputError
+            If `by` is neither, or for "indentation" where h₀ ≥ 0.
+        """
+        if by not in ("indentation", "load"):
+            raise InputError(f"by: expected 'indentation' or 'load', got {by!r}")
+        own = "load" if self.problem.load_controlled else "indentation"
+        quantities = self.quantities if by == own else self.other_quantities
+        if not quantities:
+            raise InputError(f"by: this solution has no normalisation by {by}: the sphere does not dip into the substrate (h0 >= 0)")
+        return quantities
 
     def __getattr__(self, name: str) -> Quantity:
         if not name.startswith("_") and name in self.__dict__.get("quantities", {}):
@@ -154,7 +181,7 @@ class Solution:
         )
 
     def friction_within(self, cutoff: float) -> float:
-        """Normalised friction force over r ≤ cutoff (in units of √(R|h₀|)), Eq. (27a)."""
+        """Normalised friction force over r ≤ cutoff (normalised too), Eq. (27a)."""
         from softlube.quantities import friction_within
 
         return friction_within(self.fields, cutoff)

@@ -17,7 +17,7 @@ from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD
 from softlube.newton import Iteration, NewtonResult, newton
 from softlube.problem import Problem
-from softlube.quantities import measure
+from softlube.quantities import BOUNDARY_LAYER_LEVEL, measure
 from softlube.solution import Level, Quantity, Solution
 from softlube.system import ContactSystem
 
@@ -28,6 +28,8 @@ LADDER = (12, 18, 26, 39, 58)
 """Angular intervals of the nested grids, coarse to fine."""
 RADIAL_STEP = 6.0
 """Spacing of ξ times the number of angular intervals."""
+RADIAL_STEP_GAP = 4.0
+"""The same under a sphere that does not touch, where the mesh also reaches farther: u = h₀ + r²/2 becomes r²/2 later."""
 LOOSER = {"film_min": 3.0, "pressure_gradient_inlet": 3.0}
 """Quantities whose error may exceed the accuracy by this factor: extrema in the thinnest layers."""
 REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg", "shear_rate_max")
@@ -35,6 +37,7 @@ REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg", "shear_rate_max")
 FREE_BOUNDARY = {
     "load": 0.045,
     "load_contact": 0.035,
+    "height": 0.02,
     "film_center": 0.027,
     "film_min": 0.57,
     "film_min_radius": 0.6,
@@ -55,51 +58,76 @@ SUCTION = {"shear_rate_max": 25.0}
 """The same without the Reynolds condition, where it differs: the largest shear lies in the suction behind the contact."""
 FINEST_ACCURACY = 1.4e-4
 """What the free boundary allows on the finest grid of the ladder (the film on the outlet axis is the first to fail)."""
-LARGEST_BETA = 3e5
-SMALLEST_BETA = 0.3
-LIGHTEST_LOAD = 10.0
-"""β_load below which a failure is put down to the load: h₀ > 0 below about 4.5, or 1.3 without the Reynolds condition."""
+DEEP = 1e3
+"""β_load beyond which a load is first taken for an indentation."""
+TOUCHING = 4.5
+"""β_load at which h₀ = 0 under the Reynolds condition, about."""
+COARSE_BETA = 3e6
+"""β up to which the coarsest grid is of use."""
+LARGEST_BETA = 1e9
+SMALLEST_BETA = 1e-6
+
+
+def unit_for(problem: Problem) -> float:
+    """Unit of height that suits the mesh, over the problem's own: √unit is where the mesh is refined.
+
+    A contact has its edge at r = 1.  Where the film is thicker than the indentation, the pressure is as wide as the gap allows
+    (the rigid sphere's is largest at r = 0.26 √(2h₀)).
+    """
+    if problem.load_controlled:
+        return 1 + 0.18 * max(first_height(problem), 0)
+    lifted = np.sqrt(TOUCHING / problem.parameter)
+    return float({-1: max(1.0, lifted), 0: lifted, 1: 0.2 + lifted}[problem.height])
 
 
 def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
     """Grid with the refinement that β calls for.
 
     The layers at the contact edge are β^(−2/5) wide at the inlet and outlet and β^(−1/2) at the sides, where they take an
-    angle of β^(−1/4).  The grading changes in steps of √2, so that neighbouring β share a grid and its elastic operator.
+    angle of β^(−1/4).  The grading changes in steps of 2 (of √2 in angle), so that neighbouring β share a grid and its elastic
+    operator.
     """
-    beta = max(problem.parameter, 1.0)
-    layer = 2.0 ** (np.round(2 * np.log2(0.4 * beta**-0.4)) / 2)
-    layer = float(min(layer, 0.25))
-    side_spacing = 0.75 if beta < 100 else 0.55
-    grid = PolarGrid(n_r=8, n_theta=n_theta, layer=layer, side_spacing=side_spacing)
-    return grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / RADIAL_STEP)), n_theta)
+    unit = unit_for(problem)
+    gap = problem.height >= 0 or unit > 1.01 and problem.load_controlled
+    beta = 1.0 if gap else max(problem.parameter, 1.0)
+    step = np.round(np.log2(beta**-0.4))
+    grid = PolarGrid(
+        n_r=8,
+        n_theta=n_theta,
+        layer=0.5 if gap else float(min(0.4 * 2.0**step, 0.25)),
+        side_layer=float(min(1.2 * 2.0 ** (step * 0.625), 1.0)),
+        reach=60.0 if gap else 20.0,
+    )
+    return grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / (RADIAL_STEP_GAP if gap else RADIAL_STEP))), n_theta)
+
+
+def first_height(problem: Problem) -> float:
+    """About the height under a load, in units of the load's Hertz indentation.
+
+    In the Hertz limit h₀ + 1 ~ β^(−3/5).  A light load is carried by the rigid sphere's pressure, which goes like 1/(β√h₀), or
+    without the Reynolds condition by what the deformation adds to it, like 1/(β²h₀^(5/2)) (constants measured).
+    """
+    beta = problem.parameter
+    if beta > TOUCHING / 2:
+        return 2.6 * beta**-0.6 - 1
+    return 5.5 / beta**2 if problem.cavitation == "reynolds" else 0.65 / beta**0.8
 
 
 def fields_of(system: ContactSystem, x: Array) -> Fields:
-    """Fields normalised with |h₀|, whichever way the system is normalised (s = |h₀| in its units).
-
-    Raises
-    ------
-    NotConvergedError
-        If h₀ ≥ 0, where |h₀| is no scale.
-    """
-    grid, height = system.grid, system.height(x)
-    if height >= 0:
-        raise NotConvergedError(
-            f"the film lifts the sphere above the undeformed surface (h0 = +{height:.3g} Hertz indentations), and this release "
-            "solves h0 < 0 only. Try a larger load, a lower speed or a lower viscosity."
-        )
-    s = -height
-    return Fields(
-        chart=grid.scaled(s**-0.5),
-        r=grid.r * s**-0.5,
+    """Fields in the problem's own unit of height."""
+    grid = system.grid
+    fields = Fields(
+        chart=grid,
+        r=grid.r,
         theta=grid.theta,
-        pressure=system.pressure(x).reshape(grid.shape) * s**-0.5,
-        film=system.film(x).reshape(grid.shape) / s,
-        beta=s**2 * system.problem.parameter,
+        pressure=system.pressure(x).reshape(grid.shape),
+        film=system.film(x).reshape(grid.shape),
+        beta=system.beta,
         cavitation=system.problem.cavitation,
-        load=system.load(x) * s**-1.5,
+        load=system.load(x),
+        height=system.height(x),
     )
+    return fields.in_units(1 / system.scale)
 
 
 def prolong(x: Array, coarse: PolarGrid, fine: PolarGrid, problem: Problem) -> Array:
@@ -127,37 +155,68 @@ class Solved:
 def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solved:
     """Solve on one grid, from a given first guess or from the system's own."""
     began = time.perf_counter()
-    system = ContactSystem(problem, grid)
-    result = newton(system, system.start() if start is None else start)
+    system = ContactSystem(problem, grid, unit_for(problem))
+    history: list[Iteration] = []
+    if start is None:
+        start = system.start(first_height(problem) / system.scale)
+        if problem.parameter > DEEP and problem.load_controlled:
+            # The step from a guess is safer with the height held, and the height is −1 but for β^(−3/5).
+            held = newton(ContactSystem(Problem(beta=problem.parameter, cavitation=problem.cavitation), grid), start[:-1])
+            history += held.history
+            start = np.append(held.x, -1.0)
+    result = newton(system, start)
+    history += result.history
     if not result.converged:
-        result = _second_attempt(problem, grid, result)
+        result = _second_attempt(problem, grid, history)
     fields = fields_of(system, result.x)
-    level = Level(grid.n_r, grid.n_theta, measure(fields), result.history, time.perf_counter() - began)
+    other = fields.in_units(_other_unit(problem, fields)) if fields.height < 0 else None
+    level = Level(
+        grid.n_r,
+        grid.n_theta,
+        measure(fields),
+        tuple(history),
+        time.perf_counter() - began,
+        measure(other) if other is not None else {},
+    )
     return Solved(level, fields, result.x, grid)
 
 
-def _second_attempt(problem: Problem, grid: PolarGrid, failed: NewtonResult) -> NewtonResult:
+def _other_unit(problem: Problem, fields: Fields) -> float:
+    """|h₀|, or the Hertz indentation of the load where the height is prescribed, over the problem's own unit."""
+    return -fields.height if problem.load_controlled else float((fields.load / HERTZ_LOAD) ** (2 / 3))
+
+
+def _second_attempt(problem: Problem, grid: PolarGrid, history: list[Iteration]) -> NewtonResult:
     """March in β where the direct start failed."""
-    history: list[Iteration] = list(failed.history)
-    result = failed
-    for result in march(problem, grid):
+    result = None
+    for result in march(problem, grid) if unit_for(problem) == 1 else ():
         history += result.history
-    if not result.converged:
-        last = history[-1] if history else Iteration(np.nan, np.nan, 0, np.nan)
+    if result is None or not result.converged:
+        last = history[-1] if history else Iteration(np.nan, np.nan, 0, 0)
         name = "beta_load" if problem.load_controlled else "beta"
-        advice = "Try another accuracy (it changes the grid), or report the input."
-        if problem.load_controlled and problem.parameter < LIGHTEST_LOAD:
-            advice = "So light a load probably lifts the sphere above the undeformed surface, h0 > 0: try a larger load."
         raise NotConvergedError(
             f"Newton's method did not converge at {name} = {problem.parameter:.4g} "
             f"on {grid.n_r} x {grid.n_theta} cells: after {len(history)} steps the last was {last.step:.1e} "
-            f"(fraction {last.fraction:.2g}, residual {last.residual:.1e}). "
-            f"{advice}"
+            f"(fraction {last.fraction:.2g}). Try another accuracy (it changes the grid), or report the input."
         )
-    return NewtonResult(result.x, True, tuple(history))
+    return result
 
 
-def estimate_errors(levels: Sequence[Mapping[str, float]], n_theta: int, cavitation: str = "reynolds") -> dict[str, float]:
+def yardstick(name: str, values: Mapping[str, float]) -> float:
+    """What the error of a quantity is compared with: its size, where that cannot vanish.
+
+    The height is compared with the film too, the boundary layer with its place in a dry contact (p/p_max = 5 % at 1 − r = 0.00125), the
+    place of the minimum film with 1.
+    """
+    if name.startswith("film_min_"):
+        return 1.0
+    extra = {"height": values["film_center"], "boundary_layer": BOUNDARY_LAYER_LEVEL**2 / 2}
+    return abs(values[name]) + extra.get(name, 0.0)
+
+
+def estimate_errors(
+    levels: Sequence[Mapping[str, float]], n_theta: int, cavitation: str = "reynolds", exact: str = ""
+) -> dict[str, float]:
     """Error of the finest grid's quantities, from how they changed over the grids.
 
     The scheme is of fourth order where the pressure is smooth, and of second at the free boundary, whose place between the
@@ -172,6 +231,8 @@ def estimate_errors(levels: Sequence[Mapping[str, float]], n_theta: int, cavitat
         Angular intervals of the finest.
     cavitation : {"reynolds", "none"}
         Without the Reynolds condition the floor holds for the narrow suction behind the contact.
+    exact : str
+        A quantity that is prescribed.
 
     Returns
     -------
@@ -181,11 +242,10 @@ def estimate_errors(levels: Sequence[Mapping[str, float]], n_theta: int, cavitat
     finest, before = levels[-1], levels[-2]
     estimates = {}
     for name, value in finest.items():
-        scale = 1.0 if name.startswith("film_min_") else abs(value)
         last = abs(value - before[name])
         changes = max(0.6 * last, 0.1 * abs(before[name] - levels[-3][name])) if len(levels) > 2 else last
         floor = SUCTION.get(name, FREE_BOUNDARY[name]) if cavitation == "none" else FREE_BOUNDARY[name]
-        estimates[name] = max(changes, scale * floor / n_theta**2)
+        estimates[name] = 0.0 if name == exact else max(changes, yardstick(name, finest) * floor / n_theta**2)
     return estimates
 
 
@@ -193,18 +253,18 @@ def _unresolved(values: Mapping[str, float], errors: Mapping[str, float], accura
     """Quantities whose error exceeds what was asked for, with the relative error."""
     result = {}
     for name, error in errors.items():
-        if name in REPORTED_ONLY:
-            continue
-        relative = error / abs(values[name]) if values[name] else np.inf
-        if not relative <= accuracy * LOOSER.get(name, 1.0):
-            result[name] = relative
+        if name not in REPORTED_ONLY:
+            relative = error / yardstick(name, values)
+            if not relative <= accuracy * LOOSER.get(name, 1.0):
+                result[name] = relative
     return result
 
 
 def climb(problem: Problem) -> Iterator[Solved]:
     """Solve on ever finer grids, each starting from the one before."""
     start, coarse = None, None
-    for n_theta in LADDER:
+    # Twelve intervals cannot hold the layers of a very large β together.
+    for n_theta in LADDER[1:] if problem.parameter > COARSE_BETA else LADDER:
         grid = grid_for(problem, n_theta)
         if start is not None and coarse is not None:
             start = prolong(start, coarse, grid, problem)
@@ -284,17 +344,17 @@ def solve_problem(
 def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], None] | None) -> Solution:
     if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= 0.1):
         raise InputError(f"accuracy: expected a relative error between {FINEST_ACCURACY:g} and 0.1, got {accuracy!r}")
-    _check_range(problem.parameter)
+    _check_range(problem)
     solved: list[Solved] = []
     worst: dict[str, float] = {}
     for rung in climb(problem):
         solved.append(rung)
-        _check_range(rung.fields.beta)  # under load control known only now
         if progress is not None:
             progress(f"{rung.grid.n_r} x {rung.grid.n_theta} cells solved in {rung.level.seconds:.2f} s")
         if len(solved) < 2:
             continue
-        errors = estimate_errors([r.level.values for r in solved], rung.grid.n_theta, problem.cavitation)
+        exact = "load" if problem.load_controlled else "height"
+        errors = estimate_errors([r.level.values for r in solved], rung.grid.n_theta, problem.cavitation, exact)
         worst = _unresolved(rung.level.values, errors, accuracy)
         if not worst:
             return _solution(problem, solved, errors, accuracy)
@@ -305,25 +365,34 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
     )
 
 
-def _check_range(beta: float) -> None:
-    if not SMALLEST_BETA <= beta <= LARGEST_BETA:
+def _check_range(problem: Problem) -> None:
+    if not SMALLEST_BETA <= problem.parameter <= LARGEST_BETA:
+        name = "beta_load" if problem.load_controlled else "beta"
         bounds = f"{SMALLEST_BETA:g} to {LARGEST_BETA:g}"
-        advice = "larger load or indentation" if beta < SMALLEST_BETA else "smaller load or indentation, or a higher speed"
-        raise NotConvergedError(f"beta = {beta:.4g} is outside the range this release resolves, {bounds}. Try a {advice}.")
+        raise NotConvergedError(
+            f"{name} = {problem.parameter:.4g} is outside the range that is resolved, {bounds}. Beyond it the limits of "
+            "softlube.limits hold: a rigid sphere below, a Hertz contact above."
+        )
 
 
 def _solution(problem: Problem, solved: Sequence[Solved], errors: Mapping[str, float], accuracy: float) -> Solution:
     finest = solved[-1]
-    beta = finest.fields.beta
+    fields = finest.fields
     quantities = {name: Quantity(value, errors[name]) for name, value in finest.level.values.items()}
+    others: dict[str, Quantity] = {}
+    if all(rung.level.other_values for rung in solved):
+        exact = "height" if problem.load_controlled else "load"
+        histories = [rung.level.other_values for rung in solved]
+        other_errors = estimate_errors(histories, finest.grid.n_theta, problem.cavitation, exact)
+        others = {name: Quantity(value, other_errors[name]) for name, value in histories[-1].items()}
     # Eq. (29): the load N̄ has the Hertz indentation δ = |h₀| (N̄/(4/3π))^(2/3), and β_load goes with δ².
-    beta_load = problem.beta_load if problem.beta_load is not None else beta * (finest.fields.load / HERTZ_LOAD) ** (4 / 3)
     return Solution(
         problem=problem,
-        fields=finest.fields,
+        fields=fields,
         quantities=quantities,
-        beta=beta,
-        beta_load=beta_load,
+        other_quantities=others,
+        beta=fields.beta * fields.height**2,
+        beta_load=fields.beta * max(fields.load / HERTZ_LOAD, 0.0) ** (4 / 3),
         accuracy=accuracy,
         levels=tuple(rung.level for rung in solved),
     )

@@ -1,7 +1,7 @@
 """The coupled equations of one problem on one grid: what Newton's method is given.
 
 Unknowns are the pressures at the cell centres and, under load control, the height h₀ of the sphere.  The film follows from them
-by (6b) and (6c), so the Jacobian of the Reynolds residual R(p, u) is ∂R/∂p + ∂R/∂u · ∂u/∂p, exact and dense.
+by (6b) and (6c), so the Jacobian of the Reynolds residual R(p, u) is ∂R/∂p + ∂R/∂u · ∂u/∂p, exact; it is applied, never formed.
 """
 
 from __future__ import annotations
@@ -14,19 +14,22 @@ from numpy.typing import NDArray
 
 from softlube.elasticity import HalfSpace, half_space, rim_slice
 from softlube.grid import PolarGrid
-from softlube.limits import HERTZ_LOAD, hertz_pressure
+from softlube.limits import HERTZ_LOAD, far_field_profile, hertz_pressure, kapitza_pressure
+from softlube.preconditioner import Border, FilmEquation, local_stiffness
 from softlube.problem import Problem
-from softlube.reynolds import ReynoldsOperator
+from softlube.reynolds import ReynoldsOperator, Sparse
 
 Array = NDArray[np.floating]
+Mask = NDArray[np.bool_]
 
-FILM_KEPT = 0.2
+FILM_KEPT = 0.5
 """A step may lower the film to this fraction of itself at most, anywhere."""
 
 
-@lru_cache(maxsize=6)
-def _operators(grid: PolarGrid, cavitation: str) -> tuple[HalfSpace, ReynoldsOperator]:
-    return half_space(grid, cavitation), ReynoldsOperator.on(grid)
+@lru_cache(maxsize=8)
+def _operators(grid: PolarGrid, cavitation: str) -> tuple[HalfSpace, ReynoldsOperator, Sparse]:
+    substrate = half_space(grid, cavitation)
+    return substrate, ReynoldsOperator.on(grid), local_stiffness(grid, substrate)
 
 
 def forget_operators() -> None:
@@ -37,21 +40,27 @@ def forget_operators() -> None:
 class ContactSystem:
     """Discrete equations (6a)-(6c) with the cavitation condition and the far field.
 
-    Under load control lengths are normalised with the Hertz indentation δ of the load, so that β is β_load, ∫p dA = 4/(3π)
-    and h₀ is an unknown; otherwise with |h₀|, so that h₀ = −1.
+    They keep their form whatever height the lengths are normalised with.  So the unit is chosen to suit the grid: the problem's own
+    (|h₀|, or the Hertz indentation of the load) times `scale`, which makes β scale² times the problem's, and the load
+    4/(3π) scale^(−3/2) where it is prescribed.
 
     Parameters
     ----------
     problem : Problem
     grid : PolarGrid
+    scale : float
+        Unit of height over the problem's own.
     """
 
-    def __init__(self, problem: Problem, grid: PolarGrid) -> None:
+    def __init__(self, problem: Problem, grid: PolarGrid, scale: float = 1.0) -> None:
         self.problem = problem
         self.grid = grid
-        self.speed = 1 / problem.parameter
-        self.substrate, self.reynolds = _operators(grid, problem.cavitation)
-        self.influence = self.substrate.influence[:, : grid.n_unknown]
+        self.scale = scale
+        self.beta = problem.parameter * scale**2
+        self.speed = 1 / self.beta
+        self.prescribed = HERTZ_LOAD * scale**-1.5 if problem.load_controlled else problem.height / scale
+        self.substrate, self.reynolds, self.stiffness = _operators(grid, problem.cavitation)
+        self.self_deflection = 1 / np.abs(self.stiffness.diagonal())
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.constrained = np.zeros(n + load_controlled, dtype=bool)
         self.constrained[:n] = problem.cavitation == "reynolds"
@@ -59,14 +68,16 @@ class ContactSystem:
         rim = rim_slice(grid)
         far = self.speed * self.substrate.far_pressure[:, rim]
         self.rim_pressure = far
-        self.film_offset = self.speed * self.substrate.far_displacement + far @ self.substrate.influence[:, rim].T
+        self.film_offset = self.speed * self.substrate.far_displacement
+        for part in (0, 1):
+            self.film_offset[part] += self.substrate.deflection(np.concatenate([np.zeros(n), far[part]]))
         self.film_offset[0] += np.repeat(grid.r**2 / 2, grid.shape[1])
         self.film_offset[1] += 1
         self.load_offset = self.speed * self.substrate.far_load + far @ self.substrate.load_weights[rim]
 
     def height(self, x: Array) -> float:
         """Height h₀ of the sphere's lowest point."""
-        return float(x[-1]) if self.problem.load_controlled else -1.0
+        return float(x[-1]) if self.problem.load_controlled else self.prescribed
 
     def pressure(self, x: Array) -> Array:
         """Pressure on all nodes, shape (n,)."""
@@ -74,7 +85,12 @@ class ContactSystem:
 
     def film(self, x: Array) -> Array:
         """Film thickness on all nodes, Eq. (6c), shape (n,)."""
-        return self.influence @ x[: self.grid.n_unknown] + self.film_offset[0] + self.height(x) * self.film_offset[1]
+        return self.substrate.deflection(x[: self.grid.n_unknown]) + self.film_offset[0] + self.height(x) * self.film_offset[1]
+
+    def film_change(self, step: Array) -> Array:
+        """Change of the film on all nodes by a change of the unknowns."""
+        change = self.substrate.deflection(step[: self.grid.n_unknown])
+        return change + step[-1] * self.film_offset[1] if self.problem.load_controlled else change
 
     def load(self, x: Array) -> float:
         """Load ∫p dA over the whole plane."""
@@ -85,19 +101,36 @@ class ContactSystem:
         """Residual and Jacobian at x."""
         return LinearisedContact(self, x)
 
-    def start(self) -> Array:
-        """First guess: Hertz contacts of radii spread over the boundary layer, under which the film is positive everywhere.
+    def start(self, height: float | None = None) -> Array:
+        """First guess.
 
-        The superposition is smooth at the scale β^(−2/5) of the layer, and its strength lifts the film at the centre to
-        β^(−3/5), as in the Hertz limit.
+        Parameters
+        ----------
+        height : float, optional
+            h₀ in the system's units where it is unknown.
+
+        Notes
+        -----
+        Hertz contacts of radii spread over the boundary layer, under which the film is positive everywhere.  The superposition
+        is smooth at the scale β^(−2/5) of the layer, and its strength lifts the film at the centre to β^(−3/5), as in the Hertz
+        limit.  Far outside the far field is added, so that the free boundary starts where it ends.  High over the surface,
+        h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
         """
-        beta = max(self.problem.parameter, 1.0)
-        layer = min(0.5, 1.5 * beta**-0.4)
-        radius = 1 + layer * np.cos(np.pi * (np.arange(20) + 0.5) / 20)
-        profile = hertz_pressure(self.grid.r[: self.grid.n_r, None], radius).mean(axis=1)
-        strength = (1 + beta**-0.6) / np.mean(radius**2)
-        pressure = np.repeat(profile * strength, self.grid.shape[1])
-        return np.append(pressure, -1.0) if self.problem.load_controlled else pressure
+        height = -1.0 if height is None else height
+        if not self.problem.load_controlled:
+            height = self.prescribed
+        r = self.grid.r[: self.grid.n_r, None]
+        profile = far_field_profile(self.grid.theta, self.problem.cavitation)
+        if height > 1:
+            pressure = kapitza_pressure(r, 0.0, self.beta, height) * profile / 0.8
+        else:
+            beta = max(self.beta, 1.0)
+            layer = min(0.5, 1.5 * beta**-0.4)
+            radius = 1 + layer * np.cos(np.pi * (np.arange(200) + 0.5) / 200)
+            strength = (1 + beta**-0.6) / np.mean(radius**2)
+            contact = hertz_pressure(r, radius).mean(axis=1, keepdims=True) * strength
+            pressure = contact + self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
+        return np.append(pressure.ravel(), height) if self.problem.load_controlled else pressure.ravel()
 
 
 @dataclass(frozen=True)
@@ -117,57 +150,63 @@ class LinearisedContact:
         """Reynolds residual at the unknown nodes, then the load's defect under load control."""
         system = self.system
         reynolds = system.reynolds.residual(system.pressure(self.x), self.film, system.speed)
-        return np.append(reynolds, system.load(self.x) - HERTZ_LOAD) if system.problem.load_controlled else reynolds
+        return np.append(reynolds, system.load(self.x) - system.prescribed) if system.problem.load_controlled else reynolds
 
     @cached_property
-    def _derivatives(self):
+    def _derivatives(self) -> tuple[Sparse, Sparse]:
         system = self.system
         return system.reynolds.derivatives(system.pressure(self.x), self.film, system.speed)
 
     @cached_property
+    def _within(self) -> tuple[Sparse, Sparse]:
+        """The derivatives by what happens on the unknown nodes."""
+        n = self.system.grid.n_unknown
+        by_pressure, by_film = self._derivatives
+        return by_pressure[:, :n], by_film[:, :n]
+
+    @cached_property
     def scale(self) -> Array:
-        """Diagonal of ∂R/∂p at fixed film."""
-        diagonal = np.abs(self._derivatives[0].diagonal()) + 1e-300
-        return np.append(diagonal, 1.0) if self.system.problem.load_controlled else diagonal
+        """Size of the Jacobian's diagonal: ∂R/∂p at fixed film, and what a node's own deflection does to ∂R/∂u.
+
+        The second is by far the larger within the contact; without it a residual there would be taken for cavitation.
+        """
+        by_pressure, by_film = self._within
+        scale = np.abs(by_pressure.diagonal()) + np.abs(by_film) @ self.system.self_deflection + 1e-300
+        return np.append(scale, 1.0) if self.system.problem.load_controlled else scale
 
     def times(self, step: Array) -> Array:
         """Jacobian times a vector."""
         system, n = self.system, self.system.grid.n_unknown
-        by_pressure, by_film = self._derivatives
-        result = by_pressure[:, :n] @ step[:n] + by_film @ (system.influence @ step[:n])
+        result = self._within[0] @ step[:n] + self._derivatives[1] @ system.substrate.deflection(step[:n])
         if not system.problem.load_controlled:
             return result
-        load = system.substrate.load_weights[:n] @ step[:n] + step[-1] * system.load_offset[1]
-        return np.append(result + step[-1] * self._by_height, load)
+        return np.append(result + step[-1] * self._by_height, self._load_by_pressure @ step[:n] + step[-1] * system.load_offset[1])
 
-    @property
+    @cached_property
     def _by_height(self) -> Array:
         system = self.system
         by_pressure, by_film = self._derivatives
         return by_film @ system.film_offset[1] + by_pressure[:, rim_slice(system.grid)] @ system.rim_pressure[1]
 
-    def dense(self, free: NDArray[np.intp]) -> Array:
-        """Rows and columns `free` of the Jacobian, Fortran-ordered for LAPACK."""
+    @property
+    def _load_by_pressure(self) -> Array:
+        return self.system.substrate.load_weights[: self.system.grid.n_unknown]
+
+    def equation(self, free: Mask) -> FilmEquation:
+        """Newton's equation on the free unknowns."""
         system, n = self.system, self.system.grid.n_unknown
-        by_pressure, by_film = self._derivatives
-        wet = free[free < n]
-        size = wet.size
-        matrix = np.empty((free.size, free.size), order="F")
-        matrix[:size, :size] = by_film[wet] @ np.take(system.influence, wet, axis=1)
-        sparse_part = by_pressure[wet][:, wet].tocoo()
-        matrix[sparse_part.row, sparse_part.col] += sparse_part.data
+        border = None
         if system.problem.load_controlled:
-            matrix[:size, -1] = self._by_height[wet]
-            matrix[-1, :size] = system.substrate.load_weights[wet]
-            matrix[-1, -1] = system.load_offset[1]
-        return matrix
+            border = Border(self._by_height, self._load_by_pressure, float(system.load_offset[1]))
+        return FilmEquation(self.times, *self._within, system.stiffness, free[:n], self.film[:n], border)
+
+    def size(self, step: Array) -> float:
+        """Largest relative change of the film."""
+        return float(np.max(np.abs(self.system.film_change(step)) / self.film))
 
     def longest_step(self, step: Array) -> float:
         """Fraction of the step down to which the film keeps `FILM_KEPT` of its thickness everywhere."""
-        system = self.system
-        change = system.influence @ step[: system.grid.n_unknown]
-        if system.problem.load_controlled:
-            change = change + step[-1] * system.film_offset[1]
+        change = self.system.film_change(step)
         falling = change < 0
         if not falling.any():
             return 1.0

@@ -37,3 +37,7 @@ class PolarChart:
     def dtheta_ds(self, s: ArrayLike) -> Array:
         """1."""
         return np.ones_like(np.asarray(s, dtype=float))
+
+    def scaled(self, factor: float) -> PolarChart:
+        """The same chart: plain coordinates have no scale."""
+        return self
