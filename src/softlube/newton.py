@@ -117,7 +117,7 @@ class NewtonResult:
     history: tuple[Iteration, ...]
 
 
-def newton(system: System, start: Array, *, tolerance: float = 1e-9, max_iterations: int = 40) -> NewtonResult:
+def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterations: int = 40) -> NewtonResult:
     """Solve a complementarity problem from a starting point.
 
     Parameters
