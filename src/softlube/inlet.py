@@ -13,8 +13,8 @@ the layer has no parameter left (Bissett & Spence 1989; Snoeijer, Eggers & Venne
 
 The inlet has a solution for one u∞ only.  The outlet has one for every u∞, and u∞ is what the inlet sent.
 
-Numerically, s = s₀ + L sinh t on the whole line, or s = L eᵗ behind a free boundary.  On a uniform mesh in t all fields decay or
-grow like powers of eᵗ, and the sinc formulas for derivative and logarithmic potential converge geometrically.
+Numerically, s = s₀ + L sinh t on the whole line, or s = L eᵗ behind a free boundary.  On a uniform mesh in t all fields decay
+or grow like powers of eᵗ, and the sinc formulas for derivative and logarithmic potential converge geometrically.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Mesh:
 INLET = Mesh(step=0.12, outer=14.0, inner=40.0, length=0.3)
 OUTLET = Mesh(step=0.1, outer=14.0, inner=40.0, length=0.1, centre=-0.14)
 FRONT = Mesh(step=0.1, outer=34.0, inner=40.0, length=0.1)
-"""Meshes that leave errors of 1e-10 and less (docs/asymptotics.md): inlet, outlet full of liquid, outlet with a free boundary."""
+"""Meshes of the inlet, the outlet full of liquid and the outlet with a free boundary; errors in docs/asymptotics.md."""
 
 SWITCH = 4.0
 """Where in t the weight falls off that keeps the integrated Reynolds equation to the outside."""
@@ -168,8 +168,7 @@ def _line(t: Array, points: Array, s: Array, ds: Array) -> _Line:
     gap = np.where(at_node, ds[:n] * h / np.pi * np.exp(-np.euler_gamma), np.abs(s[:, None] - s[:n]))
     logarithm = np.log(gap) - np.where(at_node, 0.0, sici(np.pi * np.abs(x))[1])
     slope = np.where(at_node, 0.0, (np.cos(np.pi * x) - np.sinc(x)) / x)
-    offsets = np.arange(-HALF, HALF + 1)
-    bands = [np.diag(np.full(n - abs(k), weight), k) for k, weight in zip(offsets, _interval_weights(), strict=True)]
+    bands = [np.diag(np.full(n - abs(k), weight), k) for k, weight in enumerate(_interval_weights(), -HALF)]
     return _Line(
         s=s,
         ds=ds,
@@ -217,7 +216,10 @@ def _sharp_edge(s: Array) -> _Part:
 
 
 def _edge_shift(s: Array, length: float) -> _Part:
-    """Pressure √s/(s + length) on s > 0: deep inside √s becomes √(s + 2) by it, to first order; film 2π√length ln(s + length)."""
+    """Pressure √s/(s + length) on s > 0, by which √s becomes √(s + 2) deep inside, to first order.
+
+    The film is 2π√length ln(s + length).
+    """
     root = np.sqrt(s)
     film = 2 * np.pi * np.sqrt(length) * np.log(s + length)
     return _Part(root / (s + length), film, (length - s) / (2 * root * (s + length) ** 2))
@@ -226,9 +228,10 @@ def _edge_shift(s: Array, length: float) -> _Part:
 def _solve(t: Array, line: _Line, sign: int, known: _Part, unknown: _Part | None, film_inside: float | None) -> Similarity:
     """Gauss-Newton method for q = p − p₀ − e p₁ at the nodes, and for the number e.
 
-    The film is u∞ + u₀ + e u₁ − 2∫ q ln|s − s′| ds′.  The number is u∞ itself where that is not given (inlet), else the strength of
-    `unknown` (free boundary), else nothing (full outlet).  At the nodes with t < 0 the Reynolds equation is taken integrated
-    from the outer end, p = ±∫ (u − u∞)/u³ ds, which is well conditioned where the film is thick; elsewhere as it stands.
+    The film is u∞ + u₀ + e u₁ − 2∫ q ln|s − s′| ds′.  The number is u∞ itself where that is not given (inlet), else the
+    strength of `unknown` (free boundary), else nothing (full outlet).  At the nodes with t < 0 the Reynolds equation is taken
+    integrated from the outer end, p = ±∫ (u − u∞)/u³ ds, which is well conditioned where the film is thick; elsewhere as it
+    stands.
     """
     n, m = t.size, line.s.size
     zero, one, node = np.zeros(m), np.ones(m), slice(0, n)
@@ -307,6 +310,7 @@ def inlet(mesh: Mesh = INLET) -> Similarity:
     Parameters
     ----------
     mesh : Mesh
+        Resolution.
 
     Raises
     ------
@@ -330,6 +334,7 @@ def outlet(cavitation: str = "reynolds", film_inside: float | None = None, mesh:
     film_inside : float, optional
         u∞; that of `inlet` if not given.
     mesh : Mesh, optional
+        Resolution.
 
     Raises
     ------

@@ -100,3 +100,168 @@ def far_field_profile(theta: ArrayLike, cavitation: str = "reynolds") -> Array:
     reflected = np.abs(theta)
     wet = np.minimum(reflected, front)
     return 0.8 * (np.cos(wet) - np.cos(front) * np.cosh(3 * wet) / np.cosh(3 * front))
+
+
+# --- the Hertz limit β → ∞ --------------------------------------------------------------------------------------------------
+#
+# Inside the contact the pressure is Hertz's; the film is what the inlet lets in, carried along x.  The constants come from the
+# similarity problems of `softlube.inlet`, solved when first asked for (0.2 s).  The flow that the Hertz pressure drives in the
+# contact is smaller than the Couette flow by β u² p ~ β^(−1/5): that is the second term where `terms` is offered.  What is
+# left out then is O(β^(−2/5) ln β) of the first term, if nothing else is said.  docs/asymptotics.md has the derivations.
+
+EDGE_PRESSURE = np.sqrt(2) * HERTZ_PRESSURE
+"""A in p = A√s, the Hertz pressure at a distance s ≪ 1 inside the contact's edge."""
+
+
+def _terms(terms: int, available: int = 2) -> int:
+    if terms not in range(1, available + 1):
+        raise ValueError(f"terms: expected 1 to {available}, got {terms!r}")
+    return terms
+
+
+@cache
+def film_constant() -> float:
+    """Constant c of the law u(0) → c β^(−3/5), by the inlet's similarity problem; 1.1070049254."""
+    from softlube.inlet import inlet
+
+    return EDGE_PRESSURE**-0.8 * inlet().film_inside
+
+
+def film_contact_asymptote(x: ArrayLike, y: ArrayLike, beta: float, terms: int = 2) -> Array:
+    """Film inside the contact as β → ∞.
+
+    The leading term c β^(−3/5) (1 − y²)^(3/10) is set by the inlet, where the entrainment normal to the edge is √(1 − y²), and
+    is the same all along x.  The second is the flux u³∇p of that film under the Hertz pressure, taken off the Couette flux.
+
+    Parameters
+    ----------
+    x, y : array_like
+        Place, r < 1 and away from the edge by much more than β^(−2/5); the inlet is at x > 0.
+    beta : float
+        Eq. (6d).
+    terms : {1, 2}
+        Number of terms.
+    """
+    x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+    half_chord = np.sqrt(1 - y**2)
+    film = film_constant() * beta**-0.6 * half_chord**0.6
+    if _terms(terms) == 1:
+        return film + 0 * x
+    along = x / (half_chord**2 * np.sqrt(half_chord**2 - x**2))
+    across = (1 - 9 / 5 * (y / half_chord) ** 2) * np.arccos(x / half_chord)
+    return film * (1 + beta * HERTZ_PRESSURE * film**2 * (along - across))
+
+
+def film_center_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
+    """Film at the centre as β → ∞: c β^(−3/5) (1 − (c²/π) β^(−1/5)).
+
+    Parameters
+    ----------
+    beta : array_like
+        Eq. (6d).
+    terms : {1, 2}
+        Number of terms.
+    """
+    beta, c = np.asarray(beta, dtype=float), film_constant()
+    second = c**2 / np.pi * beta**-0.2 if _terms(terms) == 2 else 0.0
+    return c * beta**-0.6 * (1 - second)
+
+
+def film_inlet_asymptote(beta: ArrayLike) -> Array:
+    """Film at the inlet, r = 1 and θ = 0, as β → ∞; what is left out is O(β^(−1/5)) relative to it."""
+    from softlube.inlet import inlet
+
+    return EDGE_PRESSURE**-0.8 * inlet().film_at(0.0) * np.asarray(beta, dtype=float) ** -0.6
+
+
+def pressure_gradient_inlet_asymptote(beta: ArrayLike) -> Array:
+    """Largest |dp/dr| on the inlet axis as β → ∞, 0.1208918771 β^(1/5).
+
+    The unit is that of the pressure p̄; divided by `HERTZ_PRESSURE` it is 0.596578 β^(1/5), to compare with Eq. (20).
+    """
+    from softlube.inlet import inlet
+
+    return EDGE_PRESSURE**1.6 * inlet().gradient_max * np.asarray(beta, dtype=float) ** 0.2
+
+
+@cache
+def outlet_film_ratio(cavitation: str = "reynolds") -> float:
+    """Minimum film on the outlet axis over the film at the centre as β → ∞.
+
+    Parameters
+    ----------
+    cavitation : {"reynolds", "none"}
+        With the Reynolds condition (0.7962020560), or a film that stays full (0.7580100432).
+    """
+    from softlube.inlet import outlet
+
+    solution = outlet(cavitation)
+    return solution.film_min / solution.film_inside
+
+
+@cache
+def outlet_film_exponent(cavitation: str = "reynolds") -> float:
+    """Logarithmic slope d ln(minimum film)/d ln(film sent) at the outlet on the axis."""
+    from softlube.inlet import outlet
+
+    inside, h = outlet(cavitation).film_inside, 0.01
+    by_step = [np.log(outlet(cavitation, inside * np.exp(k * h)).film_min) for k in (-2, -1, 1, 2)]
+    return float((by_step[0] - 8 * by_step[1] + 8 * by_step[2] - by_step[3]) / (12 * h))
+
+
+def film_outlet_min_asymptote(beta: ArrayLike, cavitation: str = "reynolds", terms: int = 2) -> Array:
+    """Minimum film on the outlet axis as β → ∞.
+
+    The second term has the film that reaches the outlet, which has lost twice what it lost up to the centre.
+
+    Parameters
+    ----------
+    beta : array_like
+        Eq. (6d).
+    cavitation : {"reynolds", "none"}
+        Behind the contact.
+    terms : {1, 2}
+        Number of terms.
+    """
+    beta, c = np.asarray(beta, dtype=float), film_constant()
+    lost = 2 * c**2 / np.pi * beta**-0.2 * outlet_film_exponent(cavitation) if _terms(terms) == 2 else 0.0
+    return outlet_film_ratio(cavitation) * c * beta**-0.6 * (1 - lost)
+
+
+def friction_contact_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
+    """Friction force over r ≤ 1 as β → ∞, in units of (2π/3) G h₀².
+
+    (2/c) B(1/2, 6/5) β^(−2/5) − (c/4π) B(1/2, 9/5) β^(−3/5), all of it Couette shear under the film of
+    `film_contact_asymptote`.  The Poiseuille part, like that of the layers at the edge, is O(β^(−4/5)).
+
+    Parameters
+    ----------
+    beta : array_like
+        Eq. (6d).
+    terms : {1, 2}
+        Number of terms.
+    """
+    from scipy.special import beta as euler_beta
+
+    beta, c = np.asarray(beta, dtype=float), film_constant()
+    second = c / (4 * np.pi) * euler_beta(0.5, 1.8) * beta**-0.6 if _terms(terms) == 2 else 0.0
+    return 2 / c * euler_beta(0.5, 1.2) * beta**-0.4 - second
+
+
+def load_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
+    """Load as β → ∞: 4/(3π) + (c/π) B(1/2, 13/10) β^(−3/5), and O(β^(−4/5)) left out.
+
+    By reciprocity with the flat punch, whose pressure is 1/(π²√(1 − r²)) per unit of depth: the film acts like a deeper
+    indentation by its own thickness.
+
+    Parameters
+    ----------
+    beta : array_like
+        Eq. (6d).
+    terms : {1, 2}
+        Number of terms.
+    """
+    from scipy.special import beta as euler_beta
+
+    beta = np.asarray(beta, dtype=float)
+    return HERTZ_LOAD + (film_constant() / np.pi * euler_beta(0.5, 1.3) * beta**-0.6 if _terms(terms) == 2 else 0 * beta)
