@@ -134,7 +134,7 @@ def _minimum(t: Array, values: Array) -> tuple[float, float]:
 
 
 @dataclass(frozen=True)
-class _Line:
+class SincLine:
     """Formulas on the nodes t for functions of s; rows are points, of which the first n are the nodes themselves.
 
     For f analytic near the line and decaying, Σ f_j sinc((t − t_j)/h) is f up to exp(−const/h), and derivative and logarithmic
@@ -159,7 +159,7 @@ class _Line:
     antiderivative: Array
 
 
-def _line(t: Array, points: Array, s: Array, ds: Array) -> _Line:
+def sinc_line(t: Array, points: Array, s: Array, ds: Array) -> SincLine:
     h, n = float(t[1] - t[0]), t.size
     x = (points[:, None] - t) / h
     at_node = np.abs(x) < 1e-6
@@ -169,7 +169,7 @@ def _line(t: Array, points: Array, s: Array, ds: Array) -> _Line:
     logarithm = np.log(gap) - np.where(at_node, 0.0, sici(np.pi * np.abs(x))[1])
     slope = np.where(at_node, 0.0, (np.cos(np.pi * x) - np.sinc(x)) / x)
     bands = [np.diag(np.full(n - abs(k), weight), k) for k, weight in enumerate(_interval_weights(), -HALF)]
-    return _Line(
+    return SincLine(
         s=s,
         ds=ds,
         potential=-2 * h * ds[:n] * logarithm,
@@ -186,7 +186,7 @@ def _interval_weights() -> Array:
 
 
 @dataclass(frozen=True)
-class _Part:
+class Part:
     """A pressure, the film under it, and its derivative, at the points."""
 
     pressure: Array
@@ -194,7 +194,7 @@ class _Part:
     gradient: Array
 
 
-def _smooth_edge(s: Array, length: float) -> _Part:
+def smooth_edge(s: Array, length: float) -> Part:
     """Pressure √s + O(s^(−3/2)) inside, O(|s|^(−5/2)) outside, smooth between.
 
     It is √length Re f(s/length) with f = (z + i/2)/√(z + i), analytic above the real line; the film is then −2π Im ∫ f.
@@ -203,29 +203,29 @@ def _smooth_edge(s: Array, length: float) -> _Part:
     angle = np.arctan2(1, 4 * z**3 + 3 * z) / 2  # −arg f
     complement = np.arctan2(1, -4 * z**3 - 3 * z) / 2  # π/2 + arg f, without cancellation
     size, root = np.hypot(z, 0.5), (z**2 + 1) ** 0.25
-    return _Part(
+    return Part(
         pressure=size / root * np.sin(complement) * length**0.5,
         film=4 * np.pi / 3 * size * root * np.sin(angle) * length**1.5,
         gradient=np.real((z + 1.5j) / 2 * (z + 1j) ** -1.5) * length**-0.5,
     )
 
 
-def _sharp_edge(s: Array) -> _Part:
+def _sharp_edge(s: Array) -> Part:
     """Pressure √s on s > 0 alone, under which there is no gap."""
-    return _Part(np.sqrt(s), np.zeros_like(s), 0.5 / np.sqrt(s))
+    return Part(np.sqrt(s), np.zeros_like(s), 0.5 / np.sqrt(s))
 
 
-def _edge_shift(s: Array, length: float) -> _Part:
+def _edge_shift(s: Array, length: float) -> Part:
     """Pressure √s/(s + length) on s > 0, by which √s becomes √(s + 2) deep inside, to first order.
 
     The film is 2π√length ln(s + length).
     """
     root = np.sqrt(s)
     film = 2 * np.pi * np.sqrt(length) * np.log(s + length)
-    return _Part(root / (s + length), film, (length - s) / (2 * root * (s + length) ** 2))
+    return Part(root / (s + length), film, (length - s) / (2 * root * (s + length) ** 2))
 
 
-def _solve(t: Array, line: _Line, sign: int, known: _Part, unknown: _Part | None, film_inside: float | None) -> Similarity:
+def _solve(t: Array, line: SincLine, sign: int, known: Part, unknown: Part | None, film_inside: float | None) -> Similarity:
     """Gauss-Newton method for q = p − p₀ − e p₁ at the nodes, and for the number e.
 
     The film is u∞ + u₀ + e u₁ − 2∫ q ln|s − s′| ds′.  The number is u∞ itself where that is not given (inlet), else the
@@ -236,7 +236,7 @@ def _solve(t: Array, line: _Line, sign: int, known: _Part, unknown: _Part | None
     n, m = t.size, line.s.size
     zero, one, node = np.zeros(m), np.ones(m), slice(0, n)
     at_inlet = film_inside is None
-    part = unknown or _Part(zero, one if at_inlet else zero, zero)
+    part = unknown or Part(zero, one if at_inlet else zero, zero)
     outside = np.flatnonzero(t < 0)
     integral = line.antiderivative[outside]
     # ∫ψp′ = ψp − ∫ψ′p: a weight that falls off inside leaves only what is near.
@@ -296,8 +296,8 @@ def _solve(t: Array, line: _Line, sign: int, known: _Part, unknown: _Part | None
     )
 
 
-def _whole_line(mesh: Mesh, points: Array) -> _Line:
-    return _line(mesh.t, points, mesh.centre + mesh.length * np.sinh(points), mesh.length * np.cosh(points))
+def _whole_line(mesh: Mesh, points: Array) -> SincLine:
+    return sinc_line(mesh.t, points, mesh.centre + mesh.length * np.sinh(points), mesh.length * np.cosh(points))
 
 
 @cache
@@ -320,7 +320,7 @@ def inlet(mesh: Mesh = INLET) -> Similarity:
     t = mesh.t
     between = t[(t > BETWEEN[0]) & (t < BETWEEN[1])] + mesh.step / 2
     line = _whole_line(mesh, np.append(t, between))
-    return _solve(t, line, +1, _smooth_edge(line.s, 0.5), None, None)
+    return _solve(t, line, +1, smooth_edge(line.s, 0.5), None, None)
 
 
 @cache
@@ -348,7 +348,7 @@ def outlet(cavitation: str = "reynolds", film_inside: float | None = None, mesh:
     if cavitation == "none":
         mesh = mesh or OUTLET
         line = _whole_line(mesh, mesh.t)
-        return _solve(mesh.t, line, -1, _smooth_edge(line.s, 0.3), None, film_inside)
+        return _solve(mesh.t, line, -1, smooth_edge(line.s, 0.3), None, film_inside)
     mesh = mesh or FRONT
     s = mesh.length * np.exp(mesh.t)
-    return _solve(mesh.t, _line(mesh.t, mesh.t, s, s), -1, _sharp_edge(s), _edge_shift(s, 0.2), film_inside)
+    return _solve(mesh.t, sinc_line(mesh.t, mesh.t, s, s), -1, _sharp_edge(s), _edge_shift(s, 0.2), film_inside)
