@@ -148,6 +148,16 @@ def test_load_asymptote(heavy):
     check_remainder(heavy, "load", limits.load_asymptote, 0.8, 3.2)
 
 
+def test_minimum_film_asymptote(heavy):
+    check_remainder(heavy, "film_min", limits.film_min_asymptote, 0.5, -9.2)
+
+
+def test_angle_of_the_minimum_film(heavy):
+    for beta, solution in heavy.items():
+        assert solution.film_min_angle_deg == pytest.approx(limits.film_min_angle_asymptote(beta), abs=120 * beta**-0.5)
+    assert limits.film_min_angle_asymptote(1e8) == pytest.approx(90.774, abs=0.001)
+
+
 def test_film_along_the_contact(heavy):
     """Two terms come within a few β^(−2/5) everywhere; one term does not even have the asymmetry."""
     beta, fields = 1e5, heavy[1e5].fields

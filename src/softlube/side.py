@@ -10,8 +10,8 @@ smaller by β^(−1/2).  At each time the elastic half-plane under √s of press
 
     s: ℓ = (βA³)^(−1/2),    τ: ℓ^(1/2),    p: A ℓ^(1/2),    u: A ℓ^(3/2) = A^(−5/4) β^(−3/4)
 
-no parameter is left.  For τ → −∞ each time has the inlet of its own entrainment; deep inside the film is the one that entered at
-the other end of the chord, u → u∞ (2s + τ²)^(3/10).  One march from τ ≪ −1 through the constriction gives the minimum film.
+no parameter is left.  For τ → −∞ each time has the inlet of its own entrainment; deep inside the film is the one that entered
+at the other end of the chord, u → u∞ (2s + τ²)^(3/10).  One march from τ ≪ −1 through the constriction gives the minimum film.
 """
 
 from __future__ import annotations
@@ -140,7 +140,7 @@ class Strip:
                 self.divergence[i, i + 2 + offset] = weight / mesh.step
                 self.slope[i + 1 - offset, i] = weight / (mesh.step * line.ds[n + i + 1 - offset])
 
-        # Unknowns: pressure times ds/dt where the liquid may break, and elsewhere, where the pressure is a large known part and a
+        # Unknowns: pressure times ds/dt where the liquid may break; elsewhere, where the pressure is a large known part and a
         # tiny excess, excess times ds/dt.
         self.unit = 1 / self.ds
         self.breakable = self.s < BREAKABLE
@@ -170,7 +170,7 @@ class Strip:
         return (excess + self.offset) / self.unit
 
 
-@dataclass(frozen=True)
+@dataclass
 class Implicit:
     """One implicit time step for the unknowns of a `Strip`; see `softlube.newton.System`.
 
