@@ -5,7 +5,8 @@ import itertools
 import numpy as np
 import pytest
 from scipy.integrate import dblquad, quad
-from scipy.special import ellipk
+from scipy.special import beta as euler_beta
+from scipy.special import comb, ellipk, gamma
 
 import softlube
 from softlube import limits
@@ -137,7 +138,7 @@ def test_inlet_gradient_asymptote(heavy):
 
 
 def test_inlet_film_asymptote(heavy):
-    check_remainder(heavy, "film_inlet", limits.film_inlet_asymptote, 0.2, -0.38)
+    check_remainder(heavy, "film_inlet", limits.film_inlet_asymptote, 0.4, -1.23)
 
 
 def test_friction_asymptote(heavy):
@@ -146,6 +147,21 @@ def test_friction_asymptote(heavy):
 
 def test_load_asymptote(heavy):
     check_remainder(heavy, "load", limits.load_asymptote, 0.8, 3.2)
+
+
+def test_growth_of_a_contact_lifted_by_a_film():
+    """A film f inside raises the pressure at the edge, on the axis, by G/(π²√(1 − r²)); the second term of the inlet film has G.
+
+    Copson: a part f_m(r) cos mθ gives G = d/dt t^(−m) ∫₀ᵗ r^(m+1) f_m/√(t² − r²) dr at t = 1.  For y^(2k) that is −1/(4k − 1).
+    """
+    weight = [gamma(0.5) * gamma(j + 1) / gamma(j + 0.5) for j in range(12)]  # of r^n cos mθ, j = (n + m)/2: 1 for a flat punch
+
+    for k in range(6):
+        by_parts = sum((-1) ** j * comb(2 * k, k - j) * weight[k + abs(j)] for j in range(-k, k + 1)) / 4**k
+        assert by_parts == pytest.approx(-1 / (4 * k - 1), rel=1e-9)
+    k = np.arange(200_000)
+    coefficient = np.cumprod(np.append(1.0, (k - 0.3) / (k + 1)))[:-1]  # of (1 − y²)^(3/10)
+    assert np.sum(-coefficient / (4 * k - 1)) == pytest.approx(-euler_beta(-0.25, 1.3) / 4, rel=1e-6)
 
 
 def test_minimum_film_asymptote(heavy):

@@ -167,11 +167,29 @@ def film_center_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
     return c * beta**-0.6 * (1 - second)
 
 
-def film_inlet_asymptote(beta: ArrayLike) -> Array:
-    """Film at the inlet, r = 1 and θ = 0, as β → ∞; what is left out is O(β^(−1/5)) relative to it."""
+def film_inlet_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
+    """Film at the inlet, r = 1 and θ = 0, as β → ∞: 2.49548 β^(−3/5) (1 − 0.26344 β^(−1/5)).
+
+    The second term is the contact's growth: the film that props up the sphere moves the edge outwards by (c/2) G β^(−3/5),
+    G = −B(−1/4, 13/10)/4, so that r = 1 lies a little further inside the layer.
+
+    Parameters
+    ----------
+    beta : array_like
+        Eq. (6d).
+    terms : {1, 2}
+        Number of terms.
+    """
+    from scipy.special import beta as euler_beta
+
     from softlube.inlet import inlet
 
-    return EDGE_PRESSURE**-0.8 * inlet().film_at(0.0) * np.asarray(beta, dtype=float) ** -0.6
+    beta, layer, h = np.asarray(beta, dtype=float), inlet(), 1e-3
+    film = layer.film_at(0.0)
+    if _terms(terms) == 2:
+        shift = -film_constant() * euler_beta(-0.25, 1.3) / 8 * EDGE_PRESSURE**1.2 * beta**-0.2
+        film = film + shift * (layer.film_at(h) - layer.film_at(-h)) / (2 * h)
+    return EDGE_PRESSURE**-0.8 * film * beta**-0.6
 
 
 def pressure_gradient_inlet_asymptote(beta: ArrayLike) -> Array:
