@@ -150,9 +150,10 @@ def test_load_asymptote(heavy):
 
 
 def test_growth_of_a_contact_lifted_by_a_film():
-    """A film f inside raises the pressure at the edge, on the axis, by G/(π²√(1 − r²)); the second term of the inlet film has G.
+    """A film f inside raises the pressure at the edge, on the axis, by G/(π²√(1 − r²)).
 
-    Copson: a part f_m(r) cos mθ gives G = d/dt t^(−m) ∫₀ᵗ r^(m+1) f_m/√(t² − r²) dr at t = 1.  For y^(2k) that is −1/(4k − 1).
+    Copson: a part f_m(r) cos mθ gives G = d/dt t^(−m) ∫₀ᵗ r^(m+1) f_m/√(t² − r²) dr at t = 1.  For y^(2k) that is −1/(4k − 1),
+    and the sum for (1 − y²)^(3/10) is in the second term of the inlet film.
     """
     weight = [gamma(0.5) * gamma(j + 1) / gamma(j + 0.5) for j in range(12)]  # of r^n cos mθ, j = (n + m)/2: 1 for a flat punch
 
@@ -172,6 +173,9 @@ def test_angle_of_the_minimum_film(heavy):
     for beta, solution in heavy.items():
         assert solution.film_min_angle_deg == pytest.approx(limits.film_min_angle_asymptote(beta), abs=120 * beta**-0.5)
     assert limits.film_min_angle_asymptote(1e8) == pytest.approx(90.774, abs=0.001)
+    for law in (limits.film_min_asymptote, limits.film_min_angle_asymptote):
+        with pytest.raises(ValueError, match="cavitation"):
+            law(1e8, "half-sommerfeld")
 
 
 def test_film_along_the_contact(heavy):

@@ -274,6 +274,12 @@ SIDE_TIME = {"reynolds": 0.5290, "none": 0.6377}
 """Time τ, the angle behind 90° in units of (βA³)^(−1/4), at which the side problem has its minimum film."""
 
 
+def _side(table: dict[str, float], cavitation: str) -> float:
+    if cavitation not in table:
+        raise ValueError(f'cavitation: expected "reynolds" or "none", got {cavitation!r}')
+    return table[cavitation]
+
+
 def film_min_asymptote(beta: ArrayLike, cavitation: str = "reynolds") -> Array:
     """Minimum film as β → ∞: 2.1889 β^(−3/4), in the side lobes; 2.1654 without the Reynolds condition.
 
@@ -286,7 +292,7 @@ def film_min_asymptote(beta: ArrayLike, cavitation: str = "reynolds") -> Array:
     cavitation : {"reynolds", "none"}
         Behind the contact.
     """
-    return EDGE_PRESSURE**-1.25 * SIDE_FILM[cavitation] * np.asarray(beta, dtype=float) ** -0.75
+    return EDGE_PRESSURE**-1.25 * _side(SIDE_FILM, cavitation) * np.asarray(beta, dtype=float) ** -0.75
 
 
 def film_min_angle_asymptote(beta: ArrayLike, cavitation: str = "reynolds") -> Array:
@@ -299,7 +305,7 @@ def film_min_angle_asymptote(beta: ArrayLike, cavitation: str = "reynolds") -> A
     cavitation : {"reynolds", "none"}
         Behind the contact.
     """
-    return 90 + np.degrees(EDGE_PRESSURE**-0.75 * SIDE_TIME[cavitation]) * np.asarray(beta, dtype=float) ** -0.25
+    return 90 + np.degrees(EDGE_PRESSURE**-0.75 * _side(SIDE_TIME, cavitation)) * np.asarray(beta, dtype=float) ** -0.25
 
 
 def load_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
