@@ -105,7 +105,7 @@ def far_field_profile(theta: ArrayLike, cavitation: str = "reynolds") -> Array:
 # --- the Hertz limit β → ∞ --------------------------------------------------------------------------------------------------
 #
 # Inside the contact the pressure is Hertz's; the film is what the inlet lets in, carried along x.  The constants come from the
-# similarity problems of `softlube.inlet`, solved when first asked for (0.2 s).  The flow that the Hertz pressure drives in the
+# similarity problems of `softlube.inlet`, solved on demand (a second).  The flow that the Hertz pressure drives in the
 # contact is smaller than the Couette flow by β u² p ~ β^(−1/5): that is the second term where `terms` is offered.  What is
 # left out then is O(β^(−2/5) ln β) of the first term, if nothing else is said.  docs/asymptotics.md has the derivations.
 
