@@ -1,0 +1,354 @@
+"""The similarity problems at the edge of a heavily loaded contact: inlet, and outlet with and without the Reynolds condition.
+
+As β → ∞ the pressure is Hertz's but for a layer at the edge.  Let s be the distance from the edge into the contact, A√s the
+Hertz pressure there (A = 2√2/π²) and V = |cos θ|/β the entrainment normal to the edge.  In the units
+
+    s: ℓ = (V/A³)^(2/5),    p: A ℓ^(1/2),    u: A ℓ^(3/2) = A^(−4/5) V^(3/5)
+
+the layer has no parameter left (Bissett & Spence 1989; Snoeijer, Eggers & Venner 2013):
+
+    u³ p′ = ±(u − u∞)                 Reynolds equation, integrated once; + at the inlet, − at the outlet
+    u″ = −2 p.v.∫ p′/(s − s′) ds′     elastic half-plane
+    p = √s + O(s^(−3/2) ln s), u → u∞  deep inside;  p → 0 outside, or p = p′ = 0 at a free boundary
+
+The inlet has a solution for one u∞ only.  The outlet has one for every u∞, and u∞ is what the inlet sent.
+
+Numerically, s = s₀ + L sinh t on the whole line, or s = L eᵗ behind a free boundary.  On a uniform mesh in t all fields decay
+or grow like powers of eᵗ, and the sinc formulas for derivative and logarithmic potential converge geometrically.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import BarycentricInterpolator
+from scipy.linalg import solve_triangular
+from scipy.optimize import minimize_scalar
+from scipy.special import sici
+
+Array = NDArray[np.floating]
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """Mesh of a similarity problem, uniform in t from −outer to inner.
+
+    Attributes
+    ----------
+    step : float
+        Spacing of t.
+    outer, inner : float
+        How far t goes, outside and into the contact.
+    length, centre : float
+        s = centre + length sinh t on the whole line, length·eᵗ behind a free boundary.
+    """
+
+    step: float
+    outer: float
+    inner: float
+    length: float
+    centre: float = 0.0
+
+    @property
+    def t(self) -> Array:
+        """The nodes."""
+        return np.arange(-round(self.outer / self.step), round(self.inner / self.step) + 1) * self.step
+
+
+INLET = Mesh(step=0.12, outer=14.0, inner=40.0, length=0.3)
+OUTLET = Mesh(step=0.1, outer=14.0, inner=40.0, length=0.1, centre=-0.14)
+FRONT = Mesh(step=0.1, outer=34.0, inner=40.0, length=0.1)
+"""Meshes of the inlet, the outlet full of liquid and the outlet with a free boundary; errors in docs/asymptotics.md."""
+
+SWITCH = 4.0
+"""Where in t the weight falls off that keeps the integrated Reynolds equation to the outside."""
+BETWEEN = (-2.0, 6.0)
+"""Range of t where the inlet's equations are also imposed half-way between the nodes."""
+HALF = 7
+"""Reach of the local integration formula, of order 14."""
+
+
+@dataclass(frozen=True)
+class Similarity:
+    """Solution of a similarity problem at the contact edge, in the units of this module.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Uniform coordinate.
+    s : ndarray, shape (n,)
+        Distance from the edge of the dry Hertz contact, positive inside.
+    film, pressure, gradient : ndarray, shape (n,)
+        u, p, dp/ds.
+    film_inside : float
+        u∞, the film deep inside.
+    front : float
+        The free boundary's s; −∞ without one.
+    """
+
+    t: Array
+    s: Array
+    film: Array
+    pressure: Array
+    gradient: Array
+    film_inside: float
+    front: float
+
+    @property
+    def film_min(self) -> float:
+        """Minimum film, found between the nodes."""
+        return _minimum(self.t, self.film)[1]
+
+    @property
+    def film_min_place(self) -> float:
+        """Distance s of the minimum film."""
+        return _interpolate(self.t, self.s, _minimum(self.t, self.film)[0])
+
+    @property
+    def gradient_max(self) -> float:
+        """Maximum of dp/ds."""
+        return -_minimum(self.t, -self.gradient)[1]
+
+    def film_at(self, s: float) -> float:
+        """Film at a distance s from the edge of the dry contact."""
+        return _interpolate(self.s, self.film, s)
+
+
+def _interpolate(x: Array, values: Array, at: float) -> float:
+    """Polynomial of degree 13 through the nearest nodes."""
+    first = int(np.clip(np.searchsorted(x, at) - 7, 0, x.size - 14))
+    window = slice(first, first + 14)
+    return float(BarycentricInterpolator(x[window], values[window])(at))
+
+
+def _minimum(t: Array, values: Array) -> tuple[float, float]:
+    """Place and value of the minimum."""
+    i = int(np.argmin(values))
+    found = minimize_scalar(
+        lambda at: _interpolate(t, values, at), bounds=(t[i - 1], t[i + 1]), method="bounded", options={"xatol": 1e-9}
+    )
+    return float(found.x), float(found.fun)
+
+
+@dataclass(frozen=True)
+class SincLine:
+    """Formulas on the nodes t for functions of s; rows are points, of which the first n are the nodes themselves.
+
+    For f analytic near the line and decaying, Σ f_j sinc((t − t_j)/h) is f up to exp(−const/h), and derivative and logarithmic
+    potential of the sinc function are known.
+
+    Attributes
+    ----------
+    s, ds : ndarray, shape (m,)
+        s and ds/dt at the points.
+    potential : ndarray, shape (m, n)
+        q at the nodes → −2 ∫ q ln|s − s′| ds′.
+    derivative : ndarray, shape (m, n)
+        q → dq/ds.
+    antiderivative : ndarray, shape (n, n)
+        f at the nodes → ∫ f dt from the outer end to the nodes: local, so that a decaying f keeps its relative accuracy.
+    """
+
+    s: Array
+    ds: Array
+    potential: Array
+    derivative: Array
+    antiderivative: Array
+
+
+def sinc_line(t: Array, points: Array, s: Array, ds: Array) -> SincLine:
+    h, n = float(t[1] - t[0]), t.size
+    x = (points[:, None] - t) / h
+    at_node = np.abs(x) < 1e-6
+    x = np.where(at_node, 1.0, x)
+    # ln|s(t) − s(t′)| is ln|t − t′| and a smooth function; the sinc function's ln-potential brings the cosine integral.
+    gap = np.where(at_node, ds[:n] * h / np.pi * np.exp(-np.euler_gamma), np.abs(s[:, None] - s[:n]))
+    logarithm = np.log(gap) - np.where(at_node, 0.0, sici(np.pi * np.abs(x))[1])
+    slope = np.where(at_node, 0.0, (np.cos(np.pi * x) - np.sinc(x)) / x)
+    bands = [np.diag(np.full(n - abs(k), weight), k) for k, weight in enumerate(_interval_weights(), -HALF)]
+    return SincLine(
+        s=s,
+        ds=ds,
+        potential=-2 * h * ds[:n] * logarithm,
+        derivative=slope / (h * ds[:, None]),
+        antiderivative=h * np.cumsum(np.sum(bands, axis=0), axis=0),
+    )
+
+
+def _interval_weights() -> Array:
+    """Weights on −HALF … HALF of ∫ f from −1 to 0, exact for polynomials."""
+    power = np.arange(2 * HALF + 1)
+    nodes = np.arange(-HALF, HALF + 1) / HALF
+    return np.linalg.solve(nodes ** power[:, None], -HALF * (-1.0 / HALF) ** (power + 1) / (power + 1))
+
+
+@dataclass(frozen=True)
+class Part:
+    """A pressure, the film under it, and its derivative, at the points."""
+
+    pressure: Array
+    film: Array
+    gradient: Array
+
+
+def smooth_edge(s: Array, length: float) -> Part:
+    """Pressure √s + O(s^(−3/2)) inside, O(|s|^(−5/2)) outside, smooth between.
+
+    It is √length Re f(s/length) with f = (z + i/2)/√(z + i), analytic above the real line; the film is then −2π Im ∫ f.
+    """
+    z = s / length
+    angle = np.arctan2(1, 4 * z**3 + 3 * z) / 2  # −arg f
+    complement = np.arctan2(1, -4 * z**3 - 3 * z) / 2  # π/2 + arg f, without cancellation
+    size, root = np.hypot(z, 0.5), (z**2 + 1) ** 0.25
+    return Part(
+        pressure=size / root * np.sin(complement) * length**0.5,
+        film=4 * np.pi / 3 * size * root * np.sin(angle) * length**1.5,
+        gradient=np.real((z + 1.5j) / 2 * (z + 1j) ** -1.5) * length**-0.5,
+    )
+
+
+def _sharp_edge(s: Array) -> Part:
+    """Pressure √s on s > 0 alone, under which there is no gap."""
+    return Part(np.sqrt(s), np.zeros_like(s), 0.5 / np.sqrt(s))
+
+
+def _edge_shift(s: Array, length: float) -> Part:
+    """Pressure √s/(s + length) on s > 0, by which √s becomes √(s + 2) deep inside, to first order.
+
+    The film is 2π√length ln(s + length).
+    """
+    root = np.sqrt(s)
+    film = 2 * np.pi * np.sqrt(length) * np.log(s + length)
+    return Part(root / (s + length), film, (length - s) / (2 * root * (s + length) ** 2))
+
+
+def _solve(t: Array, line: SincLine, sign: int, known: Part, unknown: Part | None, film_inside: float | None) -> Similarity:
+    """Gauss-Newton method for q = p − p₀ − e p₁ at the nodes, and for the number e.
+
+    The film is u∞ + u₀ + e u₁ − 2∫ q ln|s − s′| ds′.  The number is u∞ itself where that is not given (inlet), else the
+    strength of `unknown` (free boundary), else nothing (full outlet).  At the nodes with t < 0 the Reynolds equation is taken
+    integrated from the outer end, p = ±∫ (u − u∞)/u³ ds, which is well conditioned where the film is thick; elsewhere as it
+    stands.
+    """
+    n, m = t.size, line.s.size
+    zero, one, node = np.zeros(m), np.ones(m), slice(0, n)
+    at_inlet = film_inside is None
+    part = unknown or Part(zero, one if at_inlet else zero, zero)
+    outside = np.flatnonzero(t < 0)
+    integral = line.antiderivative[outside]
+    # ∫ψp′ = ψp − ∫ψ′p: a weight that falls off inside leaves only what is near.
+    weight, weight_slope = (1 - np.tanh(t - SWITCH)) / 2, -0.5 / np.cosh(t - SWITCH) ** 2
+    columns = np.append(line.ds[node] ** 0.75, [1.0] * (at_inlet or unknown is not None))  # q falls like s^(−3/2) and faster
+    rows = line.ds**-0.25
+    rows[outside] = columns[outside]
+
+    q, e = np.zeros(n), 0.4 if at_inlet else 0.0
+    for _ in range(40):
+        inside = e if film_inside is None else film_inside
+        film = (0.0 if at_inlet else inside) + known.film + e * part.film + line.potential @ q
+        gradient = known.gradient + e * part.gradient + line.derivative @ q
+        pressure = (known.pressure + e * part.pressure)[node] + q
+
+        by_film = 3 * sign * film**2 * gradient - 1
+        defect = sign * film**3 * gradient - (film - inside)
+        by_q = by_film[:, None] * line.potential + sign * (film**3)[:, None] * line.derivative
+        by_e = by_film * part.film + sign * film**3 * part.gradient + at_inlet
+
+        u, measure = film[node], sign * weight * line.ds[node]
+        slope, slope_by_film = measure * (u - inside) / u**3, measure * (3 * inside - 2 * u) / u**4
+        slope_by_e = slope_by_film * part.film[node] - at_inlet * measure / u**3
+        defect[outside] = (weight * pressure)[outside] - integral @ (weight_slope * pressure + slope)
+        by_q[outside] = -(integral * slope_by_film) @ line.potential[node] - integral * weight_slope
+        by_q[outside, outside] += weight[outside]
+        by_e[outside] = (weight * part.pressure[node])[outside] - integral @ (weight_slope * part.pressure[node] + slope_by_e)
+
+        matrix, right, scale = by_q, -defect, rows
+        if columns.size > n:
+            matrix = np.column_stack([matrix, by_e])
+        if unknown is not None:  # p′ = 0 at the free boundary: the film there is u∞
+            matrix = np.vstack([matrix, np.append(line.potential[0], part.film[0])])
+            right, scale = np.append(right, inside - film[0]), np.append(scale, 1.0)
+        orthogonal, triangular = np.linalg.qr(matrix * scale[:, None] / columns)
+        step = solve_triangular(triangular, orthogonal.T @ (right * scale)) / columns
+        q_step, e_step = step[:n], float(step[n:].sum())
+        film_step = e_step * part.film + line.potential @ q_step
+        falling = film_step < 0
+        fraction = min(1.0, float(np.min(0.7 * film[falling] / -film_step[falling], initial=1.0)))
+        q, e = q + fraction * q_step, e + fraction * e_step
+        if fraction == 1 and np.max(np.abs(film_step) / film) < 1e-9:  # the convergence is quadratic
+            break
+    else:
+        raise RuntimeError("the similarity problem's Newton iteration did not converge on this mesh")
+
+    inside = e if film_inside is None else film_inside
+    edge = 0.0 if unknown is None else -2 * e  # √s + e/√s is √(s + 2e)
+    return Similarity(
+        t=t,
+        s=line.s[node] - edge,
+        film=((0.0 if at_inlet else inside) + known.film + e * part.film + line.potential @ q)[node],
+        pressure=(known.pressure + e * part.pressure)[node] + q,
+        gradient=(known.gradient + e * part.gradient + line.derivative @ q)[node],
+        film_inside=inside,
+        front=-np.inf if unknown is None else -edge,
+    )
+
+
+def _whole_line(mesh: Mesh, points: Array) -> SincLine:
+    return sinc_line(mesh.t, points, mesh.centre + mesh.length * np.sinh(points), mesh.length * np.cosh(points))
+
+
+@cache
+def inlet(mesh: Mesh = INLET) -> Similarity:
+    """The inlet: the one film u∞ that is drawn in, and how it gets there.
+
+    A square collocation system has here, and only here, a spurious solution that alternates from node to node (its symbol winds
+    about zero the other way than at the outlet), so the equations are also imposed between the nodes, by least squares.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Resolution.
+
+    Raises
+    ------
+    RuntimeError
+        If the mesh is too coarse for the iteration to converge.
+    """
+    t = mesh.t
+    between = t[(t > BETWEEN[0]) & (t < BETWEEN[1])] + mesh.step / 2
+    line = _whole_line(mesh, np.append(t, between))
+    return _solve(t, line, +1, smooth_edge(line.s, 0.5), None, None)
+
+
+@cache
+def outlet(cavitation: str = "reynolds", film_inside: float | None = None, mesh: Mesh | None = None) -> Similarity:
+    """The outlet: the film u∞ from within passes a constriction and opens.
+
+    Parameters
+    ----------
+    cavitation : {"reynolds", "none"}
+        With the Reynolds condition the pressure ends at a free boundary with p = p′ = 0.  Without, it is negative outside.
+    film_inside : float, optional
+        u∞; that of `inlet` if not given.
+    mesh : Mesh, optional
+        Resolution.
+
+    Raises
+    ------
+    RuntimeError
+        If the mesh is too coarse for the iteration to converge.
+    """
+    if cavitation not in ("reynolds", "none"):
+        raise ValueError(f'cavitation: expected "reynolds" or "none", got {cavitation!r}')
+    if film_inside is None:
+        film_inside = inlet().film_inside
+    if cavitation == "none":
+        mesh = mesh or OUTLET
+        line = _whole_line(mesh, mesh.t)
+        return _solve(mesh.t, line, -1, smooth_edge(line.s, 0.3), None, film_inside)
+    mesh = mesh or FRONT
+    s = mesh.length * np.exp(mesh.t)
+    return _solve(mesh.t, sinc_line(mesh.t, mesh.t, s, s), -1, _sharp_edge(s), _edge_shift(s, 0.2), film_inside)
