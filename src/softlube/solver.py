@@ -387,11 +387,10 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
             progress(f"{rung.grid.n_r} x {rung.grid.n_theta} cells solved in {rung.level.seconds:.2f} s")
         if len(solved) < 2:
             continue
-        exact = "load" if problem.load_controlled else "height"
-        errors = estimate_errors([r.level.values for r in solved], rung.grid.n_theta, floors_for(problem), exact)
+        errors = _errors(problem, solved)
         worst = _unresolved(rung.level.values, errors, accuracy)
         if not worst:
-            return _solution(problem, solved, errors, accuracy)
+            return solution_of(problem, solved, accuracy)
     reached = ", ".join(f"{name} {value:.1e}" for name, value in sorted(worst.items(), key=lambda item: -item[1])[:3])
     raise NotConvergedError(
         f"the finest grid does not reach the accuracy {accuracy:g} at {problem.parameter:.4g}: {reached} (relative). "
@@ -409,9 +408,16 @@ def _check_range(problem: Problem) -> None:
         )
 
 
-def _solution(problem: Problem, solved: Sequence[Solved], errors: Mapping[str, float], accuracy: float) -> Solution:
+def _errors(problem: Problem, solved: Sequence[Solved]) -> dict[str, float]:
+    exact = "load" if problem.load_controlled else "height"
+    return estimate_errors([rung.level.values for rung in solved], solved[-1].grid.n_theta, floors_for(problem), exact)
+
+
+def solution_of(problem: Problem, solved: Sequence[Solved], accuracy: float) -> Solution:
+    """What the grids solved so far, at least two, say of a problem."""
     finest = solved[-1]
     fields = finest.fields
+    errors = _errors(problem, solved)
     quantities = {name: Quantity(value, errors[name]) for name, value in finest.level.values.items()}
     others: dict[str, Quantity] = {}
     if all(rung.level.other_values for rung in solved):
