@@ -1,8 +1,9 @@
-"""Speed of a solve in a warm process and of the installed command from cold, with its memory.
+"""Speed: of a solve in a warm process, of the installed command from cold, of a sweep; cost against unknowns.
 
     OPENBLAS_NUM_THREADS=1 python benchmarks/bench_solve.py
 
-Medians of several runs; "first" is the first solve of a process at that β, which builds the elastic operators.
+Medians of several runs; "first" is the first solve of a process at that β, which builds the elastic operators.  The sweep
+takes 60 values of β_load from 10⁻⁴ to 10⁸ in two processes.
 """
 
 from __future__ import annotations
@@ -15,7 +16,10 @@ import statistics
 import subprocess
 import sys
 import time
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
+
+import numpy as np
 
 COMMAND = [
     "solve",
@@ -66,19 +70,70 @@ def cold(repeats: int) -> tuple[float, float]:
     return statistics.median(times), peak
 
 
+def cost(beta: float) -> tuple[list[tuple[int, float, float]], float, float]:
+    """Unknowns and seconds of processor time, for the operators and for Newton's method, grid by grid; their exponents."""
+    from softlube.newton import newton
+    from softlube.problem import Problem
+    from softlube.solver import LADDER, grid_for, prolong, unit_for
+    from softlube.system import ContactSystem, forget_operators
+
+    problem, rows, x, coarse = Problem(beta=beta), [], None, None
+    forget_operators()
+    for n_theta in LADDER:
+        grid = grid_for(problem, n_theta)
+        began = time.process_time()
+        system = ContactSystem(problem, grid, unit_for(problem))
+        built = time.process_time()
+        x = newton(system, system.start() if x is None or coarse is None else prolong(x, coarse, grid, problem)).x
+        rows.append((grid.n_unknown, built - began, time.process_time() - built))
+        coarse = grid
+    unknowns, building, solving = np.log(np.array(rows)[1:]).T
+    return rows, float(np.polyfit(unknowns, building, 1)[0]), float(np.polyfit(unknowns, solving, 1)[0])
+
+
+def solve_by_load(beta_load: float) -> str | None:
+    """The message of a refusal, if it is one."""
+    import softlube
+
+    try:
+        softlube.solve(beta_load=beta_load)
+    except softlube.NotConvergedError as error:
+        return str(error)
+    return None
+
+
+def sweep(processes: int = 2, points: int = 60) -> tuple[float, list[str]]:
+    """Wall seconds of a sweep over β_load, start of the processes included, and what was refused."""
+    began = time.perf_counter()
+    with ProcessPoolExecutor(processes) as pool:
+        refused = [line for line in pool.map(solve_by_load, np.geomspace(1e8, 1e-4, points)) if line]
+    return time.perf_counter() - began, refused
+
+
 def main() -> None:
-    """Print both tables."""
+    """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--quick", action="store_true", help="two runs each, no beta = 1e5")
+    parser.add_argument("--quick", action="store_true", help="two runs each, up to beta = 1e4, no sweep")
     quick = parser.parse_args().quick
     repeats = 2 if quick else 7
     print(f"threads: {os.environ.get('OPENBLAS_NUM_THREADS', 'all')}")
     seconds, megabytes = cold(repeats)
     print(f"softlube {' '.join(COMMAND[:3])} …, cold: {seconds:.2f} s wall, {megabytes:.0f} MB")
     print(f"{'beta':>8s} {'first [s]':>10s} {'warm [s]':>9s} {'unknowns':>9s}")
-    for beta in (10.0, 100.0, 1e3, 1e4) if quick else (10.0, 100.0, 1e3, 1e4, 1e5):
+    for beta in (10.0, 100.0, 1e3, 1e4) if quick else (0.1, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8):
         first, again, unknowns = warm(beta, repeats)
-        print(f"{beta:8.0f} {first:10.3f} {again:9.3f} {unknowns:9d}")
+        print(f"{beta:8.3g} {first:10.3f} {again:9.3f} {unknowns:9d}")
+    for beta in (1e3,) if quick else (1e3, 1e6):
+        rows, building, solving = cost(beta)
+        print(f"beta = {beta:g}: {'unknowns':>9s} {'operators [s]':>14s} {'Newton [s]':>11s}")
+        for unknowns, built, solved in rows:
+            print(f"{'':12s} {unknowns:9d} {built:14.3f} {solved:11.3f}")
+        print(f"{'':12s} cost ~ unknowns^{building:.2f} and unknowns^{solving:.2f}")
+    if not quick:
+        seconds, refused = sweep()
+        print(f"60 values of beta_load from 1e-4 to 1e8 on two processes: {seconds:.1f} s wall, {len(refused)} refused")
+        for line in refused:
+            print(f"  {line}")
 
 
 if __name__ == "__main__":

@@ -3,8 +3,8 @@
     python benchmarks/master_curve.py src/softlube/data/master_curve.csv
 
 Loads from β_load = 10⁻⁴ to 10⁸, eight to the decade, give the curves normalised by the load.  Their indentations, as far as
-the sphere dips in at β ≥ 1000, and indentations from β = 10⁻⁴ to 10³ give those normalised by the indentation.  Grids of up to 39 angular intervals whatever
-the accuracy.  Twenty minutes on two cores.
+the sphere dips in at β ≥ 1000, and indentations from β = 10⁻⁴ to 10³ give those normalised by the indentation.  Grids of up
+to 39 angular intervals whatever the accuracy.  Twenty minutes on two cores.
 """
 
 from __future__ import annotations

@@ -78,7 +78,8 @@ def to_si(name: str, value: object) -> float:
     Raises
     ------
     InputError
-        If the value is not a positive (an indentation: not a), finite quantity of the right dimension; the message names the parameter.
+        If the value is not a positive (an indentation: not a), finite quantity of the right dimension; the message names the
+        parameter.
     """
     unit, expected = KINDS[name]
     quantity: Any
@@ -220,8 +221,8 @@ class Contact:
     def unit_height(self) -> float:
         """Height that lengths are normalised with [m].
 
-        The Hertz indentation of the load, Eq. (29), or |h₀| where that is prescribed; for h₀ = 0 the height that makes β = 1, where
-        the film is about as thick.
+        The Hertz indentation of the load, Eq. (29), or |h₀| where that is prescribed; for h₀ = 0 the height that makes β = 1,
+        where the film is about as thick.
         """
         if self.load is not None:
             return (3 * self.load / (16 * self.shear_modulus * math.sqrt(self.radius))) ** (2 / 3)

@@ -47,9 +47,9 @@ def _chart(stored: str) -> Chart:
 def to_dataset(solution: Solution) -> xr.Dataset:
     """Fields, quantities, inputs and version as one Dataset.
 
-    Fields are on (r, theta), 0 ≤ θ ≤ π from the inlet, normalised like the solution's quantities, which are there with their error
-    among the attributes.  The same names ending in ``_other`` are normalised the other way (see `Solution.normalised`), those ending in
-    ``_SI`` are in SI units if the input was physical.
+    Fields are on (r, theta), 0 ≤ θ ≤ π from the inlet, normalised like the solution's quantities, which are there with their
+    error among the attributes.  The same names ending in ``_other`` are normalised the other way (see `Solution.normalised`),
+    those ending in ``_SI`` are in SI units if the input was physical.
     """
     fields = solution.fields
     displacement = (fields.height + fields.r[:, None] ** 2 / 2) - fields.film

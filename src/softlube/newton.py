@@ -2,17 +2,19 @@
 
 Find x with, for every constrained unknown, x ≥ 0, R(x) ≥ 0 and x·R(x) = 0, and R(x) = 0 for the others.  With scales c > 0
 this is x = max(0, x − R/c): the unknowns with x − R/c ≤ 0 form the active set, where the step goes to x = 0; on the others
-Newton's equation holds, and preconditioned GMRES solves it.  The active set settles after a few steps, and the convergence is then
-as fast as the linear equations are solved well (Hintermüller, Ito & Kunisch 2003).
+Newton's equation holds, and preconditioned GMRES solves it.  The active set settles after a few steps, and the convergence is
+then as fast as the linear equations are solved well (Hintermüller, Ito & Kunisch 2003).
 """
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import lu_factor, lu_solve
 from scipy.sparse.linalg import LinearOperator, gmres
 
 Array = NDArray[np.floating]
@@ -20,6 +22,8 @@ Mask = NDArray[np.bool_]
 
 LINEAR_TOLERANCE = 1e-4
 """Reduction of the (preconditioned) linear residual in each Newton step."""
+REUSE_BELOW = 3e-2
+"""Size of a step after which the preconditioner is good for the next one too."""
 LARGEST_KRYLOV = 60
 """Iterations of GMRES at most; some ten are usual."""
 
@@ -38,6 +42,52 @@ class LinearEquation(Protocol):
     def step(self, unknown: Array) -> Array:
         """The step, a whole vector, zero on the other unknowns."""
         ...
+
+    def at(self, times: Callable[[Array], Array]) -> LinearEquation:
+        """The same with another J close by, whose product with a vector is given, and the old preconditioner."""
+        ...
+
+
+@dataclass(frozen=True)
+class DenseEquation:
+    """A `LinearEquation` for a matrix small enough to factorise.
+
+    Parameters
+    ----------
+    times : callable
+        J times a vector.
+    free : ndarray of bool
+        The unknowns it is for.
+    factors : tuple
+        LU factors (`scipy.linalg.lu_factor`) of the rows and columns `free` of J, or of a J close by.
+    """
+
+    times: Callable[[Array], Array]
+    free: Mask
+    factors: tuple[Array, NDArray[np.integer]]
+
+    @classmethod
+    def of(cls, matrix: Array, free: Mask) -> DenseEquation:
+        """The equation of a square matrix."""
+        return cls(lambda x: matrix @ x, free, lu_factor(matrix[np.ix_(free, free)]))
+
+    def right(self, residual: Array) -> Array:
+        """J⁻¹ r."""
+        return lu_solve(self.factors, residual[self.free])
+
+    def operator(self, unknown: Array) -> Array:
+        """J⁻¹ J."""
+        return self.right(self.times(self.step(unknown)))
+
+    def step(self, unknown: Array) -> Array:
+        """The unknowns in their places."""
+        whole = np.zeros(self.free.size)
+        whole[self.free] = unknown
+        return whole
+
+    def at(self, times: Callable[[Array], Array]) -> DenseEquation:
+        """Another J, the old factors."""
+        return replace(self, times=times)
 
 
 class Linearised(Protocol):
@@ -134,6 +184,7 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
     x = np.array(start, dtype=float)
     history: list[Iteration] = []
     before: Mask | None = None
+    equation: LinearEquation | None = None
     for _ in range(max_iterations):
         at = system.linearise(x)
         active = system.constrained & (x - at.residual / at.scale <= 0)
@@ -141,7 +192,9 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
         settled = before is not None and np.array_equal(active, before)
         step = np.where(active, -x, 0.0)
         right = np.where(free, -at.residual - (at.times(step) if step.any() else 0.0), 0.0)
-        correction, krylov = _solve(at.equation(free), right)
+        near = settled and history[-1].step < REUSE_BELOW
+        equation = equation.at(at.times) if near and equation is not None else at.equation(free)
+        correction, krylov = _solve(equation, right)
         step += correction
         if not np.all(np.isfinite(step)):
             break

@@ -1,15 +1,16 @@
 """An approximate inverse of the coupled Jacobian, from neighbouring rings only.
 
-The Jacobian J = L − D K of the Reynolds residual joins two differential operators, L = ∂R/∂p and −D = ∂R/∂u, by the elastic one,
-δu = K δp, which is dense and decays like 1/r.  Its inverse S = K⁻¹ is much more local: a film's change at a point asks for a pressure
-that decays like 1/r³.  So S is cut off beyond the next ring, and J S = L S + ∂R/∂u, the Jacobian with the film as the unknown, becomes
-a band matrix whose factorisation costs next to nothing.  GMRES on the exact Jacobian, with this in front, takes some ten
-iterations for an accuracy of 10⁻⁴, at every β.
+The Jacobian J = L − D K of the Reynolds residual joins two differential operators, L = ∂R/∂p and −D = ∂R/∂u, by the elastic
+one, δu = K δp, which is dense and decays like 1/r.  Its inverse S = K⁻¹ is much more local: a film's change at a point asks
+for a pressure that decays like 1/r³.  So S is cut off beyond the next ring, and J S = L S + ∂R/∂u, the Jacobian with the film
+as the unknown, becomes a band matrix whose factorisation costs next to nothing.  GMRES on the exact Jacobian, with this in
+front, takes some ten iterations for an accuracy of 10⁻⁴, at every β.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -94,8 +95,8 @@ class Border:
 class FilmEquation:
     """Newton's equation with the relative change of the film, δu/u, as the unknown; see `softlube.newton.LinearEquation`.
 
-    Pressures follow by δp = S δu.  On held nodes the equation is (S δu)ᵢ = 0.  The approximate inverse is applied from the left, so
-    residuals too are relative changes of the film, which is what the solution is wanted to: at large β a pressure
+    Pressures follow by δp = S δu.  On held nodes the equation is (S δu)ᵢ = 0.  The approximate inverse is applied from the
+    left, so residuals too are relative changes of the film, which is what the solution is wanted to: at large β a pressure
     that is right to 10⁻⁴ says nothing about a film of 10⁻⁵.
 
     Parameters
@@ -135,6 +136,12 @@ class FilmEquation:
         if border is not None:
             self._lift = self._band.solve(np.where(free, border.column, 0.0))
             self._pivot = border.corner - border.row @ (stiffness @ self._lift)
+
+    def at(self, times: Callable[[Array], Array]) -> FilmEquation:
+        """The same equation with another exact Jacobian, close to the first; everything approximate is kept."""
+        other = copy(self)
+        other._times = times
+        return other
 
     def _inverse(self, residual: Array) -> Array:
         """Approximate solution in units of the film."""

@@ -26,8 +26,9 @@ class Problem:
     cavitation : {"reynolds", "none"}
         Reynolds condition (p ≥ 0, Eq. 17 ff.), or negative pressures allowed.
     height : {-1, 0, 1}
-        Sign of the prescribed height of the sphere's lowest point over the undeformed surface: −1, the paper's indentation; 1, a gap |h₀|; 0,
-        a sphere just touching the undeformed surface, where the height that β is formed with is any other unit of height.
+        Sign of the prescribed height of the sphere's lowest point over the undeformed surface: −1, the paper's indentation;
+        1, a gap |h₀|; 0, a sphere just touching the undeformed surface, where the height that β is formed with is any other
+        unit of height.
 
     Raises
     ------

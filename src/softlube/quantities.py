@@ -1,7 +1,7 @@
 """Numbers read off a solution: loads, films, gradients, friction; Eqs. (20)-(22), (25)-(27).
 
-Everything is normalised like the fields: with |h₀| as in the paper, or with the Hertz indentation of the load.  Extrema are found between the nodes, and integrals are exact for the
-interpolated fields up to quadrature of high order.
+Everything is normalised like the fields: with |h₀| as in the paper, or with the Hertz indentation of the load.  Extrema are
+found between the nodes, and integrals are exact for the interpolated fields up to quadrature of high order.
 """
 
 from __future__ import annotations
@@ -148,7 +148,9 @@ def measure(fields: Fields) -> dict[str, float]:
     pressure_max = -_zoom_plane(lambda a, b: -fields.pressure_spline(a, b), *around(-fields.pressure))[2]
     sheared = -wall_shear_rate(fields, xi_nodes[1:], s_nodes)
     xi_shear, s_shear = around(np.vstack([np.zeros((1, s_nodes.size)), sheared]))
-    shear_rate_max = -_zoom_plane(lambda a, b: -wall_shear_rate(fields, a, b), np.maximum(xi_shear, xi_nodes[1] / 8), s_shear)[2]
+    shear_rate_max = -_zoom_plane(lambda a, b: -wall_shear_rate(fields, a, b), np.maximum(xi_shear, xi_nodes[1] / 8), s_shear)[
+        2
+    ]
 
     def on_axis(angle: float, f: Callable[[Array], Array], high: float) -> tuple[float, float]:
         """Minimum along the inlet (angle 0) or outlet (π) axis."""

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from softlube.inlet import INLET, Part, inlet, sinc_line, smooth_edge
-from softlube.newton import newton
+from softlube.newton import DenseEquation, newton
 from softlube.reynolds import SLOPE
 
 Array = NDArray[np.floating]
@@ -232,15 +232,21 @@ class LinearisedStep:
         """Jacobian times a vector."""
         return self._jacobian @ step
 
-    def dense(self, free: NDArray[np.intp]) -> Array:
-        """Rows and columns `free` of the Jacobian."""
-        return np.asfortranarray(self._jacobian[np.ix_(free, free)])
+    def equation(self, free: NDArray[np.bool_]) -> DenseEquation:
+        """Newton's equation on the unknowns `free`."""
+        return DenseEquation.of(self._jacobian, free)
+
+    def _film_change(self, step: Array) -> Array:
+        strip = self.system.strip
+        return np.concatenate([strip.potential, strip.face_potential]) @ (step * strip.unit)
+
+    def size(self, step: Array) -> float:
+        """Largest relative change of the film."""
+        return float(np.max(np.abs(self._film_change(step)) / np.concatenate(self._films)))
 
     def longest_step(self, step: Array) -> float:
         """Fraction of the step down to which the film keeps `FILM_KEPT` of its thickness everywhere."""
-        strip = self.system.strip
-        change = np.concatenate([strip.potential, strip.face_potential]) @ (step * strip.unit)
-        film = np.concatenate(self._films)
+        change, film = self._film_change(step), np.concatenate(self._films)
         falling = change < 0
         return min(1.0, float(np.min((1 - FILM_KEPT) * film[falling] / -change[falling], initial=1.0)))
 

@@ -87,7 +87,8 @@ class SavedRecord:
 @dataclass(frozen=True)
 class Level:
     """One grid on the way to the answer: its cells (n_r × n_theta), the quantities on it (in the other normalisation too, where
-    that exists), what the method did, how long."""
+    that exists), what the method did, how long.
+    """
 
     n_r: int
     n_theta: int
@@ -111,8 +112,8 @@ class Solution:
     fields : Fields
         Pressure and film as functions of position, normalised like the quantities; `dataset` has them as an xarray Dataset.
     quantities : mapping of str to Quantity
-        See `softlube.quantities.DESCRIPTION`.  Normalised with what is prescribed: with |h₀| as in the paper where that is, with
-        the Hertz indentation δ of the load, Eq. (29), where the load is.
+        See `softlube.quantities.DESCRIPTION`.  Normalised with what is prescribed: with |h₀| as in the paper where that is,
+        with the Hertz indentation δ of the load, Eq. (29), where the load is.
     other_quantities : mapping of str to Quantity
         The same normalised the other way; empty for h₀ ≥ 0, where |h₀| is no scale.  See `normalised`.
     beta, beta_load : float
@@ -152,6 +153,7 @@ class Solution:
         Parameters
         ----------
         by : {"indentation", "load"}
+            Which of the two.
 
         Raises
         ------
@@ -163,7 +165,9 @@ class Solution:
         own = "load" if self.problem.load_controlled else "indentation"
         quantities = self.quantities if by == own else self.other_quantities
         if not quantities:
-            raise InputError(f"by: this solution has no normalisation by {by}: the sphere does not dip into the substrate (h0 >= 0)")
+            raise InputError(
+                f"by: this solution has no normalisation by {by}: the sphere does not dip into the substrate (h0 >= 0)"
+            )
         return quantities
 
     def __getattr__(self, name: str) -> Quantity:

@@ -228,8 +228,8 @@ def _second_attempt(problem: Problem, grid: PolarGrid, history: list[Iteration])
 def yardstick(name: str, values: Mapping[str, float]) -> float:
     """What the error of a quantity is compared with: its size, where that cannot vanish.
 
-    The height is compared with the film too, the boundary layer with its place in a dry contact (p/p_max = 5 % at 1 − r = 0.00125), the
-    place of the minimum film with 1.
+    The height is compared with the film too, the boundary layer with its place in a dry contact (p/p_max = 5 % at 1 − r =
+    0.00125), the place of the minimum film with 1.
     """
     if name.startswith("film_min_"):
         return 1.0

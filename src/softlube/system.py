@@ -40,9 +40,9 @@ def forget_operators() -> None:
 class ContactSystem:
     """Discrete equations (6a)-(6c) with the cavitation condition and the far field.
 
-    They keep their form whatever height the lengths are normalised with.  So the unit is chosen to suit the grid: the problem's own
-    (|h₀|, or the Hertz indentation of the load) times `scale`, which makes β scale² times the problem's, and the load
-    4/(3π) scale^(−3/2) where it is prescribed.
+    They keep their form whatever height the lengths are normalised with.  So the unit is chosen to suit the grid: the
+    problem's own (|h₀|, or the Hertz indentation of the load) times `scale`, which makes β scale² times the problem's, and
+    the load 4/(3π) scale^(−3/2) where it is prescribed.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ class LinearisedContact:
         """The derivatives by what happens on the unknown nodes."""
         n = self.system.grid.n_unknown
         by_pressure, by_film = self._derivatives
-        return by_pressure[:, :n], by_film[:, :n]
+        return Sparse(by_pressure[:, :n]), Sparse(by_film[:, :n])
 
     @cached_property
     def scale(self) -> Array:
@@ -171,7 +171,7 @@ class LinearisedContact:
         The second is by far the larger within the contact; without it a residual there would be taken for cavitation.
         """
         by_pressure, by_film = self._within
-        scale = np.abs(by_pressure.diagonal()) + np.abs(by_film) @ self.system.self_deflection + 1e-300
+        scale = np.abs(by_pressure.diagonal()) + abs(by_film) @ self.system.self_deflection + 1e-300
         return np.append(scale, 1.0) if self.system.problem.load_controlled else scale
 
     def times(self, step: Array) -> Array:
@@ -180,7 +180,9 @@ class LinearisedContact:
         result = self._within[0] @ step[:n] + self._derivatives[1] @ system.substrate.deflection(step[:n])
         if not system.problem.load_controlled:
             return result
-        return np.append(result + step[-1] * self._by_height, self._load_by_pressure @ step[:n] + step[-1] * system.load_offset[1])
+        return np.append(
+            result + step[-1] * self._by_height, self._load_by_pressure @ step[:n] + step[-1] * system.load_offset[1]
+        )
 
     @cached_property
     def _by_height(self) -> Array:
