@@ -4,7 +4,7 @@
 >>> contact = softlube.Contact(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", speed="0.1 mm/s", load="100 mN")
 >>> solution = contact.solve()
 >>> round(solution.dimensional["film_center"] * 1e9)  # nm
-78.8
+174
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import App, CycloptsError, Group, Parameter
@@ -11,6 +11,7 @@ from cyclopts import App, CycloptsError, Group, Parameter
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from softlube.problem import Problem
     from softlube.solution import Quantity, Solution
 
 EXIT_INPUT = 2
@@ -62,6 +63,7 @@ def solve(
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
+    fast: Annotated[bool, Parameter(negative=(), group=_METHOD)] = False,
 ) -> int:
     """Solve one contact and print film thickness, pressure and friction with their errors.
 
@@ -106,6 +108,8 @@ def solve(
         Picture of film and pressure (.png, .pdf or .svg).
     as_json
         Print one JSON object and nothing else.
+    fast
+        Read the numbers off the master curve instead of solving; no fields, so neither --output nor --plot.
     """
     from softlube.errors import InputError
 
@@ -127,6 +131,17 @@ def solve(
         raise InputError(f"{dimensionless[0]}, {next(iter(given))}: give a dimensionless or a physical contact, not both")
     if not dimensionless and not given:
         raise InputError("radius: missing; describe the contact (--radius, --viscosity, …) or give --beta; see --help")
+
+    if fast:
+        for name, wanted in (
+            ("output", output),
+            ("plot", plot),
+            ("method", method != "newton"),
+            ("accuracy", accuracy != 1e-3),
+        ):
+            if wanted:
+                raise InputError(f"fast, {name}: the master curve has no {name}; leave one of them out")
+        return _fast(given, {"beta": beta, "beta_load": beta_load}, cavitation, as_json)
 
     # Everything that can be refused is refused before anything is computed or written.
     if output is not None or plot is not None:
@@ -184,6 +199,39 @@ def _solve(
         return solve(**dimensionless, cavitation=cavitation, **options, progress=status.update)
 
 
+def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: str, as_json: bool) -> int:
+    """Numbers from the master curve, said to be so."""
+    from softlube import curve
+    from softlube.contact import Contact
+    from softlube.problem import Problem
+
+    contact = Contact(**physical, cavitation=cavitation) if physical else None
+    problem = contact.problem() if contact is not None else Problem(**dimensionless, cavitation=cavitation)  # type: ignore[arg-type]
+    quantities = curve.quantities(problem)
+    dimensional = contact.dimensional(quantities) if contact is not None else {}
+    doubts = contact.doubts(dimensional) if contact is not None else ()
+    name = "beta_load" if problem.load_controlled else "beta"
+    if as_json:
+        import json
+
+        plain = {key: {"value": float(q), "error": q.error} for key, q in quantities.items()}
+        result: dict[str, Any] = {name: problem.parameter, "cavitation": cavitation, "method": "curve", "quantities": plain}
+        if contact is not None:
+            result["dimensional"] = {
+                key: {"value": float(q), "error": q.error, "unit": q.unit} for key, q in dimensional.items()
+            }
+        print(json.dumps(result | {"warnings": list(doubts)}, allow_nan=False), flush=True)
+        return 0
+    from rich.console import Console
+
+    console = Console(highlight=False, soft_wrap=True)
+    console.print(f"{name} = {problem.parameter:.5g}, read off the master curve: not solved", markup=False)
+    console.print(_table(problem, quantities, dimensional), soft_wrap=False)
+    for doubt in doubts:
+        console.print(f"[bold yellow]Warning:[/] {doubt}.")
+    return 0
+
+
 def _write_files(solution: Solution, output: str | None, plot: str | None) -> None:
     """Both files, or none."""
     from contextlib import ExitStack
@@ -197,6 +245,10 @@ def _write_files(solution: Solution, output: str | None, plot: str | None) -> No
             solution.save(temporary_output)
         if temporary_plot is not None:
             solution.plot(temporary_plot)
+
+
+# Commands in modules of their own, imported when they are called.
+app.command("softlube.commands.curve:curve", name="curve", help="Print or draw any quantity as a function of β, at once.")
 
 
 # --- the table ------------------------------------------------------------------------------------------------------
@@ -215,7 +267,7 @@ _DIMENSIONLESS_UNIT = {
 _PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G"))
 
 
-def _rounded(value: float, error: float) -> tuple[str, str]:
+def rounded(value: float, error: float) -> tuple[str, str]:
     """Value and error as text, the value cut at the second significant digit of the error."""
     import math
 
@@ -234,7 +286,7 @@ def _engineering(quantity: Quantity) -> tuple[str, str, str]:
     factor, prefix = 1.0, ""
     if unit in ("m", "N", "Pa", "Pa/m"):
         factor, prefix = next((pair for pair in _PREFIXES if abs(value) < 1000 * pair[0]), _PREFIXES[-1])
-    return *_rounded(value / factor, quantity.error / factor), prefix + unit
+    return *rounded(value / factor, quantity.error / factor), prefix + unit
 
 
 def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
@@ -245,7 +297,7 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
     console.print(f"β = {solution.beta:.5g} (by the load: {solution.beta_load:.5g}), {condition}", markup=False)
     if solution.contact is None and solution.problem.load_controlled:
         console.print("δ is the Hertz indentation of the load, Eq. (29).")
-    console.print(_table(solution), soft_wrap=False)
+    console.print(_table(solution.problem, solution.quantities, solution.dimensional), soft_wrap=False)
     sizes = ", ".join(f"{level.n_r} × {level.n_theta}" for level in solution.levels)
     steps = " + ".join(str(sum(record.count for record in level.history)) for level in solution.levels)
     what = "Newton steps" if solution.method == "newton" else f"sweeps of the paper's method ({solution.method})"
@@ -260,7 +312,7 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
         console.print(f"Wrote {path}", markup=False)
 
 
-def _table(solution: Solution) -> Table:
+def _table(problem: Problem, quantities: Mapping[str, Quantity], dimensional: Mapping[str, Quantity]) -> Table:
     from rich import box
     from rich.table import Table
 
@@ -275,24 +327,23 @@ def _table(solution: Solution) -> Table:
     def row(text: str, value: str, error: str, unit: str) -> None:
         table.add_row(text, value, f"± {error}", unit)
 
-    quantities, dimensional = solution.quantities, solution.dimensional
-    physical = solution.contact is not None
-    unit = "δ" if solution.problem.load_controlled else "|h0|"
+    physical = bool(dimensional)
+    unit = "δ" if problem.load_controlled else "|h0|"
     if physical:
         row("indentation", *_engineering(dimensional["indentation"]))
         row(f"contact radius a = √(R {unit})", *_engineering(dimensional["contact_radius"]))
     for name, text in DESCRIPTION.items():
         quantity = quantities[name]
-        if name == "height" and (physical or not solution.problem.load_controlled):
+        if name == "height" and (physical or not problem.load_controlled):
             continue  # the input, or the indentation above
         if name in ("film_min_radius", "film_min_angle_deg"):
             place = "  at a radius of" if name == "film_min_radius" else "  at an angle from the inlet of"
-            row(place, *_rounded(float(quantity), quantity.error), "a" if name == "film_min_radius" else "°")
+            row(place, *rounded(float(quantity), quantity.error), "a" if name == "film_min_radius" else "°")
         elif physical:
             row(text, *_engineering(dimensional[name]))
         else:
             group = "length" if name == "boundary_layer" else name if name in _DIMENSIONLESS_UNIT else name.split("_")[0]
-            row(text, *_rounded(float(quantity), quantity.error), _DIMENSIONLESS_UNIT[group].format(unit))
+            row(text, *rounded(float(quantity), quantity.error), _DIMENSIONLESS_UNIT[group].format(unit))
     if physical:
         row("friction coefficient over r ≤ 2a", *_engineering(dimensional["friction_coefficient"]))
     return table

@@ -28,15 +28,15 @@ from scipy.interpolate import CubicSpline
 from softlube import limits
 from softlube.errors import InputError
 from softlube.problem import Problem
-from softlube.quantities import BOUNDARY_LAYER_LEVEL, DESCRIPTION
+from softlube.quantities import DESCRIPTION
 from softlube.solution import Quantity
 
 Array = NDArray[np.floating]
 
 TABLE = "data/master_curve.csv"
-OFFSET = {"height": 1.0, "boundary_layer": BOUNDARY_LAYER_LEVEL**2 / 2}
-"""Added to a quantity that changes sign, to give one that does not: what is left of the Hertz contact's height, and the
-distance from the place where a dry contact's pressure is 5 % of its maximum."""
+OFFSET = {"height": 1.0, "boundary_layer": 1.0}
+"""Added to a quantity that changes sign, to give one that does not: what is left of a Hertz contact's height, and the place on
+the axis instead of its distance from r = 1."""
 LINEAR = {"film_min_radius": 1.0, "film_min_angle_deg": 90.0}
 """Quantities interpolated as they are, with their limits for β → ∞."""
 EXPONENT = {
@@ -178,10 +178,16 @@ def curve(name: str, normalisation: str = "indentation", cavitation: str = "reyn
         raise InputError(f"normalisation: expected 'indentation' or 'load', got {normalisation!r}")
     if cavitation not in ("reynolds", "none"):
         raise InputError(f"cavitation: expected 'reynolds' or 'none', got {cavitation!r}")
-    if (name, normalisation) in (("height", "indentation"), ("load", "load")):
+    if name not in available(normalisation):
         raise InputError(f"name: {name} is prescribed where quantities are normalised with the {normalisation}")
     table = _table()[cavitation, normalisation]
     return Curve.through(name, table["beta"], table[name], table[f"{name}_error"], _law(name, cavitation))
+
+
+def available(normalisation: str) -> list[str]:
+    """Names of the quantities that are not prescribed in a normalisation."""
+    prescribed = "load" if normalisation == "load" else "height"
+    return [name for name in DESCRIPTION if name != prescribed]
 
 
 def evaluate(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
+    from softlube.curve import Curve
     from softlube.solution import Solution
 
 MAP_RADIUS = 1.4
@@ -52,7 +54,8 @@ def check_format(name: str, path: str | os.PathLike[str]) -> None:
 def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
     """Length, film and pressure: factor from normalised to the plotted unit, and label."""
     if solution.contact is None:
-        return 1.0, r"$\,/\,\sqrt{R|h_0|}$", 1.0, r"film $u/|h_0|$", 1.0, r"pressure $p\,/\,4\pi G\sqrt{|h_0|/R}$"
+        unit = r"\delta" if solution.problem.load_controlled else "|h_0|"
+        return 1.0, rf"$\,/\,\sqrt{{R{unit}}}$", 1.0, rf"film $u/{unit}$", 1.0, rf"pressure $p\,/\,4\pi G\sqrt{{{unit}/R}}$"
     dimensional, quantities = solution.dimensional, solution.quantities
 
     def scale(name: str) -> float:
@@ -69,6 +72,11 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
         scale("pressure_center") * pressure_factor,
         f"pressure $p$ [{pressure_unit}]",
     )
+
+
+def _width(solution: Solution) -> float:
+    """How much wider than a contact the pressure is: as wide as a thick film allows."""
+    return max(1.0, 0.5 * np.sqrt(2 * float(solution.quantities["film_center"])))
 
 
 def _prefixed(value: float, unit: str) -> tuple[float, str]:
@@ -109,7 +117,8 @@ def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figu
         _profile(axes[1, 1], solution, "y")
         for label, ax in zip("abcd", axes.flat, strict=True):
             ax.set_title(f"({label})", loc="left")
-        figure.suptitle(rf"$\beta$ = {solution.beta:.{max(0, 3 - int(np.log10(solution.beta)))}f}", fontsize=9)
+        name = r"\beta_N" if solution.problem.load_controlled else r"\beta"
+        figure.suptitle(rf"${name}$ = {solution.problem.parameter:.4g}", fontsize=9)
         if path is not None:
             from softlube.files import check_destination, whole_file
 
@@ -124,7 +133,7 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
     from matplotlib.ticker import MaxNLocator
 
     length, length_label, film, film_label, pressure, pressure_label = _scales(solution)
-    axis = np.linspace(-MAP_RADIUS, MAP_RADIUS, 401)
+    axis = np.linspace(-MAP_RADIUS, MAP_RADIUS, 401) * _width(solution)
     x, y = np.meshgrid(axis, axis)
     r, theta = np.hypot(x, y), np.arctan2(y, x)
     fields = solution.fields
@@ -147,8 +156,9 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
         mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap="magma")
         label = pressure_label
     mesh.set_edgecolor("face")
-    angle = np.linspace(0, 2 * np.pi, 200)
-    ax.plot(np.cos(angle) * length, np.sin(angle) * length, "--", color="white", lw=0.7)
+    if _width(solution) == 1:
+        angle = np.linspace(0, 2 * np.pi, 200)
+        ax.plot(np.cos(angle) * length, np.sin(angle) * length, "--", color="white", lw=0.7)
     ax.annotate(
         "inlet",
         (0.985, 0.5),
@@ -175,24 +185,61 @@ def _profile(ax: Axes, solution: Solution, direction: str) -> None:
     ax.plot(place * length, fields.film_at(r, theta) * film, color=FILM_COLOUR)
     ax.set(
         xlabel=f"${direction}${length_label}",
-        xlim=(-PROFILE_RADIUS * length, PROFILE_RADIUS * length),
+        xlim=np.array([-1, 1]) * PROFILE_RADIUS * _width(solution) * length,
         ylim=(0, 3.5 * center),
     )
     ax.set_ylabel(film_label, color=FILM_COLOUR)
     ax.tick_params(axis="y", colors=FILM_COLOUR)
     other = ax.twinx()
     other.plot(place * length, fields.pressure_at(r, theta) * pressure, color=PRESSURE_COLOUR)
-    other.plot(place * length, hertz_pressure(r) * pressure, ":", color="0.35", lw=0.9, label="Hertz")
+    if _width(solution) == 1:
+        other.plot(place * length, hertz_pressure(r) * pressure, ":", color="0.35", lw=0.9, label="Hertz")
+        other.legend(loc="upper center", frameon=False)
     other.set_ylabel(pressure_label, color=PRESSURE_COLOUR)
     other.tick_params(axis="y", colors=PRESSURE_COLOUR)
     if solution.problem.cavitation == "reynolds":
         other.set_ylim(0, 1.15 * float(solution.quantities["pressure_max"]) * pressure)
-    other.legend(loc="upper center", frameon=False)
 
 
 def _dense_line(solution: Solution) -> NDArray[np.float64]:
     """Points along a diameter, dense where the grid is."""
     nodes = solution.fields.r
     fine = np.interp(np.arange(0, nodes.size - 1, 0.125), np.arange(nodes.size), nodes)
-    fine = np.concatenate([[0.0], fine[fine < PROFILE_RADIUS], [PROFILE_RADIUS]])
+    end = PROFILE_RADIUS * _width(solution)
+    fine = np.concatenate([[0.0], fine[fine < end], [end]])
     return np.concatenate([-fine[::-1], fine[1:]])
+
+
+def plot_curves(curves: Mapping[str, Curve], symbol: str, between: tuple[float, float]) -> Figure:
+    """Master curves with their errors, and below them the local exponents d ln q/d ln β.
+
+    Parameters
+    ----------
+    curves : mapping of str to Curve
+        By name of the quantity; see `softlube.curve.curve`.
+    symbol : {"beta", "beta_load"}
+        Which β.
+    between : tuple of float
+        Smallest and largest β.
+    """
+    import matplotlib as mpl
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    from softlube.quantities import DESCRIPTION
+
+    beta = np.geomspace(*between, 400)
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(3.5, 4.2), layout="constrained")
+        FigureCanvasAgg(figure)
+        upper, lower = figure.subplots(2, 1, sharex=True)
+        colours = mpl.colormaps["viridis"](np.linspace(0, 0.85, len(curves)))
+        for (name, curve), colour in zip(curves.items(), colours, strict=True):
+            value, error = curve(beta)
+            upper.loglog(beta, np.abs(value), color=colour, lw=1.2, label=DESCRIPTION[name])
+            upper.fill_between(beta, np.abs(value) - error, np.abs(value) + error, color=colour, alpha=0.3, lw=0)
+            lower.semilogx(beta, curve.exponent(beta), color=colour, lw=1.2)
+        upper.legend(fontsize=6)
+        upper.set_ylabel("normalised value")
+        lower.set(xlabel=r"$\beta$" if symbol == "beta" else r"$\beta$ by the load", ylabel="local exponent", xlim=between)
+    return figure
