@@ -173,13 +173,13 @@ def curve(name: str, normalisation: str = "indentation", cavitation: str = "reyn
         If one of them is unknown, or the quantity is prescribed in that normalisation.
     """
     if name not in DESCRIPTION:
-        raise InputError(f"name: unknown quantity {name!r}; one of {', '.join(DESCRIPTION)}")
+        raise InputError(f"quantity: unknown quantity {name!r}; one of {', '.join(DESCRIPTION)}")
     if normalisation not in ("indentation", "load"):
         raise InputError(f"normalisation: expected 'indentation' or 'load', got {normalisation!r}")
     if cavitation not in ("reynolds", "none"):
         raise InputError(f"cavitation: expected 'reynolds' or 'none', got {cavitation!r}")
     if name not in available(normalisation):
-        raise InputError(f"name: {name} is prescribed where quantities are normalised with the {normalisation}")
+        raise InputError(f"quantity: {name} is prescribed where quantities are normalised with the {normalisation}")
     table = _table()[cavitation, normalisation]
     return Curve.through(name, table["beta"], table[name], table[f"{name}_error"], _law(name, cavitation))
 

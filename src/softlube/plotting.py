@@ -63,7 +63,7 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
 
     film_factor, film_unit = _prefixed(float(dimensional["film_center"]), "m")
     pressure_factor, pressure_unit = _prefixed(float(dimensional["pressure_max"]), "Pa")
-    length_factor, length_unit = _prefixed(float(dimensional["contact_radius"]), "m")
+    length_factor, length_unit = _prefixed(float(dimensional["contact_radius"]) * _width(solution), "m")
     return (
         float(dimensional["contact_radius"]) * length_factor,
         f" [{length_unit}]",
@@ -76,7 +76,7 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
 
 def _width(solution: Solution) -> float:
     """How much wider than a contact the pressure is: as wide as a thick film allows."""
-    return max(1.0, 0.5 * np.sqrt(2 * float(solution.quantities["film_center"])))
+    return max(1.0, 0.9 * np.sqrt(2 * float(solution.quantities["film_center"])))
 
 
 def _prefixed(value: float, unit: str) -> tuple[float, str]:
