@@ -199,6 +199,11 @@ def _write_files(solution: Solution, output: str | None, plot: str | None) -> No
             solution.plot(temporary_plot)
 
 
+# Commands in modules of their own, imported when they are called.
+app.command("softlube.commands.reproduce:reproduce", name="reproduce")
+app.command("softlube.commands.flow:flow", name="flow")
+
+
 # --- the table ------------------------------------------------------------------------------------------------------
 
 _DIMENSIONLESS_UNIT = {

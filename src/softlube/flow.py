@@ -204,6 +204,7 @@ def streamlines(
     level: float | None = None,
     frame: Frame = "sphere",
     reach: float = 2.0,
+    upstream: bool = False,
 ) -> list[Array]:
     """Streamlines in the plane, of the mean flow or of the flow at one level of the film.
 
@@ -217,6 +218,8 @@ def streamlines(
     frame : {"substrate", "sphere"}
     reach : float
         Lines end on this radius, or where the liquid is at rest.
+    upstream : bool
+        Follow them upstream as well; the points are then in the middle of their lines.
 
     Returns
     -------
@@ -233,7 +236,14 @@ def streamlines(
             v_r, v_t = velocity(solution, r, theta, level=level, frame=frame)
         return v_r * np.cos(theta) - v_t * np.sin(theta), v_r * np.sin(theta) + v_t * np.cos(theta)
 
-    return _trace(direction, starts, lambda x, y: reach - np.hypot(x, y), 2.5 * reach)
+    def room(x: Array, y: Array) -> Array:
+        return reach - np.hypot(x, y)
+
+    down = _trace(direction, starts, room, 2.5 * reach)
+    if not upstream:
+        return down
+    up = _trace(lambda x, y: tuple(-v for v in direction(x, y)), starts, room, 2.5 * reach)
+    return [np.concatenate([before[:0:-1], after]) for before, after in zip(up, down, strict=True)]
 
 
 def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float = 2.0) -> list[Array]:
@@ -284,7 +294,7 @@ def _trace(
 
     def unit(_: float, flat: Array) -> Array:
         x, y = flat.reshape(2, -1)
-        v = np.array(direction(x, y))
+        v = np.array([*direction(x, y)])
         # Lines come to rest at the rim of the picture, softly for the sake of the step control, and where the liquid does.
         brake = np.clip(room(x, y) / RIM_OF_PICTURE, 0, 1)
         return (v * brake / np.maximum(np.hypot(v[0], v[1]), SLOWEST)).ravel()

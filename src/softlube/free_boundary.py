@@ -11,6 +11,7 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.ndimage import gaussian_filter1d
 from scipy.interpolate import PchipInterpolator
 
 from softlube.fields import Fields
@@ -21,7 +22,11 @@ Array = NDArray[np.floating]
 CENTRE = 1e-7
 """Radius that stands for the centre, where the direction e_r is that of the angle asked for."""
 KNEE = np.radians(110)
-"""Angle from which on the free boundary is followed along rays; before it, where it runs outwards, along circles."""
+RIM = 1.02
+"""The free boundary is followed along rays from this angle on, and where it hugs the contact's rim closer than that; along circles
+where it runs outwards."""
+RAGGED = 6
+"""Number of circles over which the boundary is smoothed."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +61,7 @@ class FreeBoundary:
 def _end_of_film(coordinate: Array, pressure: Array) -> float:
     """Where the pressure along a line of nodes first falls to zero, nan if it does not.
 
-    It falls as the square of the distance, so that its root is continued in a straight line.
+    It falls as the square of the distance, so that its root is continued in a straight line, at most to the first node without.
     """
     dry = np.flatnonzero(pressure <= 0)
     if dry.size == 0 or dry[0] < 2:
@@ -73,12 +78,18 @@ def _free_boundary(solution: _ById) -> FreeBoundary | None:
     fields = solution.fields
     if fields.cavitation != "reynolds":
         return None
-    rear = [(_end_of_film(fields.r, fields.pressure[:, k]), t) for k, t in enumerate(fields.theta) if t > KNEE]
-    if not rear or np.isnan(rear[0][0]):
+    rays = [(_end_of_film(fields.r, fields.pressure[:, k]), t) for k, t in enumerate(fields.theta) if t > np.pi / 2]
+    rear = [(r, t) for r, t in rays if t > KNEE or r < RIM]
+    if not rear or np.isnan(rear[-1][0]):
         return None
     knee = rear[0][0]
     # The rim's nodes beyond the last cell hold the far field, not the solution.
     side = [(r, _end_of_film(fields.theta, fields.pressure[k])) for k, r in enumerate(fields.r[:-2]) if r > knee * 1.002]
+    side = [pair for pair in side if not np.isnan(pair[1])]
+    if len(side) > RAGGED:
+        # Where the boundary runs between two rays of nodes it keeps to them by turns: smoothed over a few circles.
+        angles = gaussian_filter1d([t for _, t in side], RAGGED / 2, mode="nearest")
+        side = [(r, t) for (r, _), t in zip(side, angles, strict=True)]
     place = np.array([pair for pair in rear[::-1] + side if not np.isnan(pair).any()])
     x, y = place[:, 0] * np.cos(place[:, 1]), place[:, 0] * np.sin(place[:, 1])
     y[0] = 0.0
