@@ -168,7 +168,7 @@ def test_section_lines_conserve_flux(full_film):
     zeta, weight = level * (nodes[0] + 1) / 2, level * nodes[1] / 2
 
     def carried(px, py):
-        """u times the velocity below the level, in the frame of the sphere."""
+        """U times the velocity below the level, in the frame of the sphere."""
         r, theta = np.hypot(px, py), np.arctan2(py, px)
         v_r, v_t = flow.velocity(full_film, r, theta, level=zeta, frame="sphere")
         u = full_film.fields.film_at(r, theta)

@@ -83,8 +83,22 @@ def test_region_of_the_friction_law(march):
     assert worst[2.0] < 0.016
     assert worst[1.0] > 0.1
     assert worst[3.0] > 0.03
-    fits = scaling.friction_fits(march, [1.0, 2.0])
-    assert abs(fits[2.0].exponent + 0.4398) < abs(fits[1.0].exponent + 0.4398)
+
+
+def test_readings_of_the_friction_law(march):
+    """Over the whole range (28) is the friction over r ≤ 2 with β and depth by the load; over r ≤ 1 it is neither way."""
+    best = scaling.friction_reading(march, 2.0, by_load=True)
+    assert best.fit.exponent == pytest.approx(-0.4398, abs=0.005)
+    assert best.deviation < 0.03
+    for by_load in (False, True):
+        over_contact = scaling.friction_reading(march, 1.0, by_load=by_load)
+        assert over_contact.deviation > 0.2
+        assert over_contact.fit.exponent > -0.41
+    # the unit: F/(2π/3 G δ²) at β_load against F/(2π/3 G h₀²) at β, from the load alone
+    solution = march[1]
+    ratio = (float(solution.load) / (4 / (3 * np.pi))) ** (2 / 3)
+    one = scaling.friction_reading([solution, *march[2:]], 2.0, by_load=True, between=(99, 1e4))
+    assert one.fit.between[0] == pytest.approx(solution.beta * ratio**2)
 
 
 def test_normalisation_of_the_gradient_law(march):

@@ -1,13 +1,13 @@
 """Film-thickness formulas that a practitioner knows, in their own parameters, and the way from β to those.
 
-With E′ = 2E/(1 − ν²) = 8G (rigid sphere on an incompressible half-space) and the entrainment speed ũ, the mean of the surface speeds
-(v/2 here, one surface sliding):
+With E′ = 2E/(1 − ν²) = 8G (rigid sphere on an incompressible half-space) and the entrainment speed ũ, the mean of the surface
+speeds (v/2 here, one surface sliding):
 
 - Hamrock & Dowson: U = ηũ/(E′R), W = N/(E′R²), H = h/R;
 - Moes: M = W (2U)^(−3/4), L = αE′ (2U)^(1/4), H = (h/R)(2U)^(−1/2).
 
-M and Moes' H are functions of β alone for an iso-viscous liquid (L = 0).  Hamrock & Dowson's exponents do not quite keep that similarity:
-at one M their H varies as U^(−0.025) (centre) or U^(−0.0075) (minimum).
+M and Moes' H are functions of β alone for an iso-viscous liquid (L = 0).  Hamrock & Dowson's exponents do not quite keep that
+similarity: at one M their film in Moes' H varies as U^(−0.025) (centre) or U^(−0.0075) (minimum).
 """
 
 from __future__ import annotations
@@ -34,13 +34,15 @@ class Source:
 
 HAMROCK_DOWSON = Source(
     "Hamrock & Dowson, soft EHL",
-    "B. J. Hamrock, D. Dowson, Elastohydrodynamic lubrication of elliptical contacts for materials of low elastic modulus I: fully "
+    "B. J. Hamrock, D. Dowson, Elastohydrodynamic lubrication of elliptical contacts for materials of low elastic modulus I: "
+    "fully "
     "flooded conjunction, J. Lubr. Technol. 100 (1978) 236-245",
     "U of 5e-9 to 5e-8, W of 2e-4 to 2e-3, ellipticity 1 to 12 (about one decade of U and W)",
 )
 NIJENBANNING_VENNER_MOES = Source(
     "Nijenbanning, Venner & Moes",
-    "G. Nijenbanning, C. H. Venner, H. Moes, Film thickness in elastohydrodynamically lubricated elliptic contacts, Wear 176 (1994) 217-229",
+    "G. Nijenbanning, C. H. Venner, H. Moes, Film thickness in elastohydrodynamically lubricated elliptic contacts, Wear 176 "
+    "(1994) 217-229",
     "all M and L: joins the rigid and the elastic, the iso-viscous and the piezo-viscous asymptotes; centre film only",
 )
 SPEEDS_OF_HAMROCK_DOWSON = (5e-9, 5e-8)

@@ -1,11 +1,11 @@
 """The flow in the gap, read off a solution: velocity (23), averages (24), shear stress (25), flux, streamlines.
 
-Everything is normalised as in the paper: lengths in the plane with √(R|h₀|), heights with |h₀|, velocities with the sliding speed v,
-shear stresses with ηv/|h₀|.  A place in the film is (r, θ) and either a height z̄ or a `level` ζ = (z − w)/u: 0 on the substrate, 1 on
-the sphere.
+Everything is normalised as in the paper: lengths in the plane with √(R|h₀|), heights with |h₀|, velocities with the sliding
+speed v, shear stresses with ηv/|h₀|.  A place in the film is (r, θ) and either a height z̄ or a `level` ζ = (z − w)/u: 0 on
+the substrate, 1 on the sphere.
 
-Two frames: in that of the substrate, the paper's, the substrate is at rest and the sphere moves with velocity 1 along +x; in that of
-the sphere the flow is steady, the liquid comes from +x, and fluxes have no divergence.
+Two frames: in that of the substrate, the paper's, the substrate is at rest and the sphere moves with velocity 1 along +x; in
+that of the sphere the flow is steady, the liquid comes from +x, and fluxes have no divergence.
 
 Behind the free boundary of the Reynolds condition the gap is only partly filled; see `softlube.free_boundary`.
 """
@@ -95,6 +95,7 @@ def velocity(
     Parameters
     ----------
     solution : Solution
+        Whose flow.
     r, theta : array_like
         Polar coordinates, θ = 0 at the inlet; broadcast with the height.
     z : array_like, optional
@@ -211,11 +212,13 @@ def streamlines(
     Parameters
     ----------
     solution : Solution
+        Whose flow.
     starts : array_like, shape (n, 2)
         Points (x, y) from which lines are followed downstream.
     level : float, optional
         Level ζ in the film, 0 … 1; without it the velocity averaged through the film.
     frame : {"substrate", "sphere"}
+        Whose velocity is zero.
     reach : float
         Lines end on this radius, or where the liquid is at rest.
     upstream : bool
@@ -242,7 +245,12 @@ def streamlines(
     down = _trace(direction, starts, room, 2.5 * reach)
     if not upstream:
         return down
-    up = _trace(lambda x, y: tuple(-v for v in direction(x, y)), starts, room, 2.5 * reach)
+
+    def against(x: Array, y: Array) -> tuple[Array, Array]:
+        v_x, v_y = direction(x, y)
+        return -v_x, -v_y
+
+    up = _trace(against, starts, room, 2.5 * reach)
     return [np.concatenate([before[:0:-1], after]) for before, after in zip(up, down, strict=True)]
 
 
@@ -255,6 +263,7 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
     Parameters
     ----------
     solution : Solution
+        Whose flow.
     starts : array_like, shape (n, 2)
         Points (x, ζ) from which lines are followed downstream.
     reach : float
@@ -265,7 +274,6 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
     list of ndarray, shape (m, 2)
         (x, ζ) along each line; the height is w̄ + ζū.
     """
-
     chart, film_spline = solution.fields.chart, solution.fields.film_spline
 
     def direction(x: Array, zeta: Array) -> tuple[Array, Array]:
@@ -301,7 +309,7 @@ def _trace(
 
     run = solve_ivp(unit, (0.0, length), starts.T.ravel(), max_step=0.04, rtol=1e-5, atol=1e-7)
     lines = np.moveaxis(run.y.reshape(2, starts.shape[0], -1), 1, 0)
-    result = []
+    result: list[Array] = []
     for line in lines:
         moving = np.flatnonzero(np.hypot(*np.diff(line, axis=1)) > 1e-5)
         result.append(line[:, : moving[-1] + 2 if moving.size else 1].T)

@@ -1,4 +1,4 @@
-"""Pictures of the flow in the gap, drawn on given axes: streamlines in the plane and in the mid-plane, wall shear, a level's velocity."""
+"""Pictures of the flow in the gap: streamlines in the plane and in the vertical mid-plane, shear stress on the walls."""
 
 from __future__ import annotations
 
@@ -40,13 +40,17 @@ def _arrows(ax: Axes, lines: list[Array], colour: str) -> None:
             )
 
 
-def plane(ax: Axes, solution: Solution, *, level: float | None = None, length: float = 1.0, unit: str = r"\,/\,\sqrt{R|h_0|}") -> Columns:
+def plane(
+    ax: Axes, solution: Solution, *, level: float | None = None, length: float = 1.0, unit: str = r"\,/\,\sqrt{R|h_0|}"
+) -> Columns:
     """Streamlines in the plane over the speed, frame of the sphere; of the mean flow, or at one level.
 
     Parameters
     ----------
     ax : matplotlib Axes
+        Where to draw.
     solution : Solution
+        What to draw.
     level : float, optional
         Level ζ in the film, 0 … 1.
     length, unit : float, str
@@ -72,7 +76,9 @@ def plane(ax: Axes, solution: Solution, *, level: float | None = None, length: f
     mesh.set_edgecolor("face")
     boundary = free_boundary(solution)
     if boundary is not None:
-        ax.contourf(x * length, y * length, is_wet(solution, r, theta).astype(float), levels=[-1, 0.5], colors=["0.8"], alpha=0.9)
+        ax.contourf(
+            x * length, y * length, is_wet(solution, r, theta).astype(float), levels=[-1, 0.5], colors=["0.8"], alpha=0.9
+        )
         edge = np.linspace(-REACH, REACH, 400)
         ax.plot(boundary.place(np.abs(edge)) * length, edge * length, color="0.25", lw=0.9)
     half = np.concatenate([[0.0], np.arange(0.15, REACH, 0.15)])
@@ -90,7 +96,7 @@ def plane(ax: Axes, solution: Solution, *, level: float | None = None, length: f
     )
     what = "mean speed" if level is None else rf"speed at level {level:g}"
     bar = ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.8, label=rf"{what} relative to the sphere, $/\,v$", pad=0.03)
-    bar.set_ticks(np.arange(0.1, levels[-1], 0.1).round(1))
+    bar.set_ticks(np.arange(0.1, levels[-1], 0.1).round(1).tolist())
     inlet_right(ax)
     thin = np.s_[::4, ::4]
     return {
@@ -122,7 +128,9 @@ def section(ax: Axes, solution: Solution, *, length: float = 1.0, unit: str = r"
     lines = flow.section_streamlines(solution, starts, reach=REACH)
     _arrows(ax, [line * [length, 1] for line in lines], "white")
     ax.set(xlabel=rf"$x{unit}$", ylabel=r"level $(z-w)\,/\,u$", xlim=(-REACH * length, REACH * length), ylim=(0, 1))
-    bar = ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.9, label=r"velocity along $x$ relative to the sphere, $/\,v$", pad=0.03)
+    bar = ax.figure.colorbar(
+        mesh, ax=ax, location="top", shrink=0.9, label=r"velocity along $x$ relative to the sphere, $/\,v$", pad=0.03
+    )
     bar.set_ticks([-1.25, -1, -0.75, -0.5, -0.25, 0, 0.25])
     inlet_right(ax)
     thin = np.s_[::10, ::5]
@@ -131,7 +139,9 @@ def section(ax: Axes, solution: Solution, *, length: float = 1.0, unit: str = r"
 
 def walls(ax: Axes, solution: Solution, axis: str, *, length: float = 1.0, unit: str = r"\,/\,\sqrt{R|h_0|}") -> Columns:
     """Shear stress τ_zx on both walls along x or y; in SI if the solution is of a physical contact."""
-    place = np.unique(np.concatenate([np.linspace(-REACH, REACH, 241), np.linspace(-1.1, -0.9, 161), np.linspace(0.9, 1.1, 161)]))
+    place = np.unique(
+        np.concatenate([np.linspace(-REACH, REACH, 241), np.linspace(-1.1, -0.9, 161), np.linspace(0.9, 1.1, 161)])
+    )
     theta = np.where(place >= 0, 0.0, np.pi) if axis == "x" else np.full(place.size, np.pi / 2)
     sphere, substrate = (flow.shear_stress(solution, np.abs(place), theta, level=level)[0] for level in (1.0, 0.0))
     scale, label = _stress_scale(solution)
@@ -148,7 +158,11 @@ def walls(ax: Axes, solution: Solution, axis: str, *, length: float = 1.0, unit:
     ax.legend(frameon=False, loc="upper right" if axis == "x" else "lower center")
     if axis == "x":
         inlet_right(ax)
-    return {f"{axis} [sqrt(R|h0|)]": place, "tau_zx on the sphere [eta v/|h0|]": sphere, "tau_zx on the substrate [eta v/|h0|]": substrate}
+    return {
+        f"{axis} [sqrt(R|h0|)]": place,
+        "tau_zx on the sphere [eta v/|h0|]": sphere,
+        "tau_zx on the substrate [eta v/|h0|]": substrate,
+    }
 
 
 def _stress_scale(solution: Solution) -> tuple[float, str]:

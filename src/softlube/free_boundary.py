@@ -1,7 +1,7 @@
 """The free boundary behind the contact, read off a solution under the Reynolds condition, and the broken film beyond it.
 
-There the pressure is constant and the gap only partly filled: liquid moves along −x, relative to the sphere, in streaks whose share of
-the gap is what the flux across the free boundary leaves them.
+There the pressure is constant and the gap only partly filled: liquid moves along −x, relative to the sphere, in streaks whose
+share of the gap is what the flux across the free boundary leaves them.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.ndimage import gaussian_filter1d
 from scipy.interpolate import PchipInterpolator
+from scipy.ndimage import gaussian_filter1d
 
 from softlube.fields import Fields
 from softlube.solution import Solution
@@ -23,8 +23,8 @@ CENTRE = 1e-7
 """Radius that stands for the centre, where the direction e_r is that of the angle asked for."""
 KNEE = np.radians(110)
 RIM = 1.02
-"""The free boundary is followed along rays from this angle on, and where it hugs the contact's rim closer than that; along circles
-where it runs outwards."""
+"""The free boundary is followed along rays from this angle on, and where it hugs the contact's rim closer than that; along
+circles where it runs outwards."""
 RAGGED = 6
 """Number of circles over which the boundary is smoothed."""
 

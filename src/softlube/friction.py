@@ -1,13 +1,14 @@
 """Friction in its parts, and the balance of forces on sphere, film and substrate.
 
-All forces are over a disc r ≤ cutoff and in units of (2π/3) G h₀², Eq. (26).  With the film's thickness u, the heights h and w of its
-walls and the shear stresses (25) on them, the liquid's momentum balance u ∂p/∂x = τ(h) − τ(w) gives
+All forces are over a disc r ≤ cutoff and in units of (2π/3) G h₀², Eq. (26).  With the film's thickness u, the heights h and w
+of its walls and the shear stresses (25) on them, the liquid's momentum balance u ∂p/∂x = τ(h) − τ(w) gives
 
     ∫τ(h) dA + 6β∫p ∂h/∂x dA = ∫τ(w) dA + 6β∫p ∂w/∂x dA + 6β∮ p u cos θ ds     (each over β)
 
-drag on the sphere = drag on the substrate + pressure on the film's edge.  The half-space adds a condition of its own: a frictionless
-load cannot drag itself, ∫p ∂w/∂x dA = 0 over the whole plane, because (2) is symmetric.  So the whole horizontal force on the sphere,
-pressure included, is the substrate's shear; the paper's friction (27a) is the shear on the sphere alone.
+drag on the sphere = drag on the substrate + pressure on the film's edge.  The half-space adds a condition of its own: a
+frictionless load cannot drag itself, ∫p ∂w/∂x dA = 0 over the whole plane, because (2) is symmetric.  So the whole horizontal
+force on the sphere, pressure included, is the substrate's shear and the edge's pressure; the paper's friction (27a) is the
+shear on the sphere alone.
 """
 
 from __future__ import annotations
@@ -79,8 +80,10 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
     Parameters
     ----------
     solution : Solution
+        Where to integrate.
     cutoff : float
-        Radius in units of √(R|h₀|), at most the solution's reach.  Behind the free boundary the gap counts as full, as in (27a).
+        Radius in units of √(R|h₀|), at most the solution's reach.  Behind the free boundary the gap counts as full, as in
+        (27a).
 
     Raises
     ------
@@ -116,8 +119,14 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
     xi = chart.xi_of(np.array([cutoff]))
     pu = (fields.pressure_spline(xi, s) * fields.film_spline(xi, s))[0]
     edge = 12 * cutoff * float(np.sum(pu * cosines(s) * chart.dtheta_ds(s) * weight)) * np.pi / 2
-    parts = (integrate(fields, part, cutoff) for part in (couette, poiseuille, on_sphere, on_substrate))
-    return FrictionSplit(float(cutoff), *parts, edge)
+    return FrictionSplit(
+        cutoff=float(cutoff),
+        couette=integrate(fields, couette, cutoff),
+        poiseuille=integrate(fields, poiseuille, cutoff),
+        sphere_pressure=integrate(fields, on_sphere, cutoff),
+        substrate_pressure=integrate(fields, on_substrate, cutoff),
+        edge=edge,
+    )
 
 
 def against_cutoff(solution: Solution, cutoffs: ArrayLike) -> list[FrictionSplit]:
@@ -152,8 +161,8 @@ class VerticalBalance:
 def vertical_balance(solution: Solution, radius: float = 8.0) -> VerticalBalance:
     """Load on the sphere against that on the substrate, by two ways that share neither quadrature nor kernel with the solver.
 
-    The mean of (6b) over the circle of nodes nearest to `radius`, a, is −∫p (2/π) K(k)/max(r, a) dA, k = min(r, a)/max(r, a), with the complete elliptic
-    integral K.
+    The mean of (6b) over the circle of nodes nearest to `radius`, a, is −∫p (2/π) K(k)/max(r, a) dA, k = min(r, a)/max(r, a),
+    with the complete elliptic integral K.
     """
     from scipy.special import ellipkm1
 

@@ -94,6 +94,7 @@ def write_report(path: Path, sections: Sequence[Section], laws: Sequence[Law], c
     Parameters
     ----------
     path : Path
+        Where to.
     sections : sequence of Section
         Their pictures are read from disk.
     laws : sequence of Law

@@ -9,6 +9,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from softlube.errors import InputError
 from softlube.paper.figures import FIGURES, Case, FigureSpec, Statement
@@ -116,7 +117,8 @@ def reproduce(
     Parameters
     ----------
     folder : path-like
-        Where to write; made if it does not exist.  Gets figures/ (PNG and PDF), data/ (CSV), solutions/ (NetCDF) and report.html.
+        Where to write; made if it does not exist.  Gets figures/ (PNG and PDF), data/ (CSV), solutions/ (NetCDF) and
+        report.html.
     figures : sequence of str
         Keys of `softlube.paper.figures.FIGURES`; all if empty.
     data : path-like, optional
@@ -227,7 +229,8 @@ def _run(
             drawing: dict[Future[Section], FigureSpec] = {}
             waiting = list(specs)
             while solving or drawing:
-                done, _ = wait([*solving, *drawing], return_when=FIRST_COMPLETED)
+                jobs: list[Future[Any]] = [*solving, *drawing]
+                done, _ = wait(jobs, return_when=FIRST_COMPLETED)
                 for future in done:
                     if future in solving:
                         case = solving.pop(future)

@@ -1,4 +1,4 @@
-"""Power laws: fitted over a range of β, beside the paper's (20), (21), (22), (28), local exponents and the laws of the Hertz limit."""
+"""Power laws fitted over a range of β, beside the paper's (20), (21), (22), (28), local exponents and the Hertz limit."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ class PowerLaw:
     ----------
     prefactor, exponent : float
     prefactor_interval, exponent_interval : tuple of float
-        Confidence intervals.  The data are smooth and nearly exact, so that they measure how far the curve is from a straight line, not
-        noise.
+        Confidence intervals.  The data are smooth and nearly exact, so that they measure how far the curve is from a straight
+        line, not noise.
     level : float
         Their confidence, such as 0.95.
     between : tuple of float
@@ -86,8 +86,9 @@ class PaperLaw:
         return float(solution.quantities[self.quantity]) / self.unit
 
 
-# The pressure in the inlet layer falls as β^(−1/5) while p_max stays: the place where it is 5 % of p_max, Eq. (21), moves through the layer,
-# crosses r = 1 and ends where Hertz's pressure has that value, at r = 0.99875.  So (21) has no exponent for β → ∞.
+# The pressure in the inlet layer falls as β^(−1/5) while p_max stays: the place where it is 5 % of p_max, Eq. (21), moves
+# through the layer, crosses r = 1 and ends where Hertz's pressure has that value, at r = 0.99875.  So (21) has no exponent for
+# β → ∞.
 GRADIENT = PaperLaw(
     "20", "pressure_gradient_inlet", "largest |dp/dr| at the inlet, over p_H(0)", 0.5352, 0.2112, 1 / 5, HERTZ_PRESSURE
 )
@@ -155,7 +156,7 @@ def fit(beta: ArrayLike, values: ArrayLike, *, between: tuple[float, float] | No
 
 
 def local_exponents(beta: ArrayLike, values: ArrayLike) -> Array:
-    """d ln(value)/d ln β at each β, from a cubic spline through the logarithms.
+    """D ln(value)/d ln β at each β, from a cubic spline through the logarithms.
 
     Parameters
     ----------
@@ -221,11 +222,45 @@ def compare(solutions: Sequence[Solution], law: PaperLaw, between: tuple[float, 
     return Comparison(law, fit(beta, values, between=between), beta, values, values / law(beta), local_exponents(beta, values))
 
 
-def friction_fits(
-    solutions: Sequence[Solution], cutoffs: Sequence[float], between: tuple[float, float] = PAPER_RANGE
-) -> dict[float, PowerLaw]:
-    """Fits of the friction (27a) over r ≤ cutoff for several cut-offs: which region (28) is of."""
-    beta = [solution.beta for solution in solutions]
-    return {
-        cutoff: fit(beta, [solution.friction_within(cutoff) for solution in solutions], between=between) for cutoff in cutoffs
-    }
+@dataclass(frozen=True)
+class FrictionReading:
+    """One way to read (28): the region of the friction, and what β and the unit of force are made of.
+
+    Attributes
+    ----------
+    cutoff : float
+        Region r ≤ cutoff, in units of √(R|h₀|).
+    by_load : bool
+        β by the load (30) and the Hertz indentation (29) in the unit of force; otherwise β (6d) and |h₀|.
+    fit : PowerLaw
+        Ours.
+    deviation : float
+        Largest |ours/(28) − 1| over the range.
+    """
+
+    cutoff: float
+    by_load: bool
+    fit: PowerLaw
+    deviation: float
+
+
+def friction_reading(
+    solutions: Sequence[Solution], cutoff: float, *, by_load: bool = False, between: tuple[float, float] = PAPER_RANGE
+) -> FrictionReading:
+    """Fit the friction (27a) over r ≤ cutoff and compare it with (28): to find out of what region (28) is.
+
+    Raises
+    ------
+    InputError
+        If fewer than three solutions are in the range of β (6d).
+    """
+    low, high = between[0] * (1 - 1e-9), between[1] * (1 + 1e-9)
+    inside = [solution for solution in solutions if low <= solution.beta <= high]
+    beta = np.array([solution.beta for solution in inside])
+    friction = np.array([solution.friction_within(cutoff) for solution in inside])
+    if by_load:
+        # The unit of force goes with the square of the indentation, and so does β: (|h₀|/δ)² = β/β_load.
+        beta_load = np.array([solution.beta_load for solution in inside])
+        beta, friction = beta_load, friction * beta / beta_load
+    law = fit(beta, friction)
+    return FrictionReading(cutoff, by_load, law, float(np.max(np.abs(friction / FRICTION(beta) - 1))))

@@ -12,6 +12,8 @@ def flow(which: Which | None = None, *, plot: str, level: float | None = None) -
 
     Parameters
     ----------
+    which
+        The contact.
     plot
         Picture to write (.png, .pdf or .svg).
     level
@@ -50,7 +52,9 @@ def flow(which: Which | None = None, *, plot: str, level: float | None = None) -
         scale = contact.viscosity * contact.speed / height
         sphere, substrate, units = sphere * scale, substrate * scale, ("m³/s", "Pa")
     console.print(f"flux into the contact r ≤ a over its front half: {inflow:.4g} {units[0]}", markup=False)
-    console.print(f"largest shear stress: {sphere:.4g} {units[1]} on the sphere, {substrate:.4g} on the substrate", markup=False)
+    console.print(
+        f"largest shear stress: {sphere:.4g} {units[1]} on the sphere, {substrate:.4g} on the substrate", markup=False
+    )
     console.print(f"net flux out of r ≤ 0.9 a over the flux into it: {net_flux(solution, 0.9):.1e}", markup=False)
     console.print(f"Wrote {plot}", markup=False)
     return 0

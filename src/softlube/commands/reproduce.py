@@ -65,8 +65,8 @@ def _law_table(laws):
     from rich.table import Table
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, title="Exponents over 100 ≤ β ≤ 10⁴", title_justify="left")
-    table.add_column("law", no_wrap=True)
-    for name in ("paper", "here", "±", "difference", "β → ∞"):
+    table.add_column("law")
+    for name in ("paper", "here", "±", "differs by", "β → ∞"):
         table.add_column(name, justify="right", no_wrap=True)
     for law in laws:
         table.add_row(

@@ -1,4 +1,4 @@
-"""What every figure is made of: the cases it needs, the picture, the data behind it, and what it shows beside what the paper says."""
+"""What every figure is made of: the cases it needs, the picture, the data behind it, and what it shows beside the paper."""
 
 from __future__ import annotations
 
@@ -44,11 +44,11 @@ class Case:
 
     @property
     def accuracy(self) -> float:
-        """Accuracy asked for: finer than the default where fields are drawn, coarser where the grids get dear for one point of a curve."""
+        """Accuracy asked for: finer than the default where fields are drawn, coarser for the dear last points of a curve."""
         if self.cavitation == "none":
             return 1e-2
         if self.beta in PROFILES:
-            return 3e-4
+            return 6e-4
         return 1e-3 if self.beta <= 1e4 else 5e-3
 
 

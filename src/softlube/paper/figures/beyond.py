@@ -63,7 +63,12 @@ def parts(solutions: Solutions) -> Drawn:
         columns[f"{name} [(2 pi/3) G h0^2]"] = values
     for radius in (1.0, 2.0):
         ax.axvline(radius, color="0.8", lw=0.6, zorder=0)
-    ax.set(xlabel=r"cut-off radius $\,/\,\sqrt{R|h_0|}$", ylabel=r"force $\,/\,(2\pi/3)\,G h_0^2$", xlim=(0.1, 15), ylim=(-0.07, 0.56))
+    ax.set(
+        xlabel=r"cut-off radius $\,/\,\sqrt{R|h_0|}$",
+        ylabel=r"force $\,/\,(2\pi/3)\,G h_0^2$",
+        xlim=(0.1, 15),
+        ylim=(-0.07, 0.56),
+    )
     ax.set_xticks([0.1, 0.3, 1, 2, 5, 15], ["0.1", "0.3", "1", "2", "5", "15"])
     ax.minorticks_off()
     ax.legend(frameon=False, loc="upper left", fontsize=6.5)
@@ -109,8 +114,10 @@ def parts(solutions: Solutions) -> Drawn:
                 "0",
                 percent(at[1000.0].drag / at[1000.0].sphere),
                 "disagrees",
-                "(27a) leaves out the horizontal component of the pressure, which is of the same order as the Poiseuille part. An experiment "
-                "measures the whole force, which for the whole plane is the shear on the substrate plus the pressure on the film's edge.",
+                "(27a) leaves out the horizontal component of the pressure, which is of the same order as the Poiseuille "
+                "part. An experiment "
+                "measures the whole force, which for the whole plane is the shear on the substrate plus the pressure on the "
+                "film's edge.",
             ),
             Statement(
                 "Horizontal forces on sphere and substrate balance.",
@@ -138,7 +145,14 @@ def exponents(solutions: Solutions) -> Drawn:
         comparison = compare(ours, law)
         columns.setdefault("beta", comparison.beta)
         columns[f"({law.equation}) {law.text}"] = comparison.exponents
-        ax.semilogx(comparison.beta, comparison.exponents, marker + "-", color=colour, ms=3.5, label=f"({law.equation}) {SYMBOLS[law.equation]}")
+        ax.semilogx(
+            comparison.beta,
+            comparison.exponents,
+            marker + "-",
+            color=colour,
+            ms=3.5,
+            label=f"({law.equation}) {SYMBOLS[law.equation]}",
+        )
         ax.hlines(law.exponent, *PAPER_RANGE, color=colour, lw=2.2, alpha=0.35)
         if law.limit is not None:
             ax.plot(2.2e5, law.limit, marker, color=colour, ms=5, mfc="none", clip_on=False)
@@ -150,7 +164,9 @@ def exponents(solutions: Solutions) -> Drawn:
                 "none" if law.limit is None else number(law.limit),
                 "" if law.limit is None else number(comparison.exponents[-1] - law.limit, 2),
                 "more",
-                "No power of β in this limit (see Fig. 7)." if law.limit is None else "The exponent of the Hertz limit, not the paper's.",
+                "No power of β in this limit (see Fig. 7)."
+                if law.limit is None
+                else "The exponent of the Hertz limit, not the paper's.",
             )
         )
     ax.text(2.2e5, 0.34, r"$\beta\to\infty$", ha="center", fontsize=7)
@@ -173,7 +189,8 @@ def formulas(solutions: Solutions) -> Drawn:
     beta_load = np.array([s.beta_load for s in ours])
     load = engineering.moes_load(beta_load)
     center, thinnest = (
-        np.array([float(engineering.moes_film(float(s.quantities[name]), s.beta)) for s in ours]) for name in ("film_center", "film_min")
+        np.array([float(engineering.moes_film(float(s.quantities[name]), s.beta)) for s in ours])
+        for name in ("film_center", "film_min")
     )
     moes = engineering.nijenbanning_venner_moes(load)
     figure, axes = canvas(TWO_COLUMNS, 3.1, 1, 2)
@@ -189,12 +206,18 @@ def formulas(solutions: Solutions) -> Drawn:
     fine = np.geomspace(w[0], w[-1], 100)
     low, high = engineering.LOADS_OF_HAMROCK_DOWSON
     other.loglog(w, center * scale, "o", color=OKABE_ITO[0], ms=4, label="centre, softlube")
-    other.loglog(fine, engineering.hamrock_dowson_center(speed, fine), "-", color=OKABE_ITO[0], lw=0.9, label="centre, Hamrock & Dowson")
+    other.loglog(
+        fine, engineering.hamrock_dowson_center(speed, fine), "-", color=OKABE_ITO[0], lw=0.9, label="centre, Hamrock & Dowson"
+    )
     other.loglog(w, thinnest * scale, "s", color=OKABE_ITO[1], ms=4, label="minimum, softlube")
-    other.loglog(fine, engineering.hamrock_dowson_min(speed, fine), "--", color=OKABE_ITO[1], lw=0.9, label="minimum, Hamrock & Dowson")
+    other.loglog(
+        fine, engineering.hamrock_dowson_min(speed, fine), "--", color=OKABE_ITO[1], lw=0.9, label="minimum, Hamrock & Dowson"
+    )
     other.axvspan(low, high, color="0.92", zorder=0)
     exponent = int(np.floor(np.log10(speed)))
-    other.set(xlabel=rf"load $W$ at $U = {speed / 10**exponent:.2g}\times10^{{{exponent}}}$", ylabel=r"film $H = h/R$  [$10^{-4}$]")
+    other.set(
+        xlabel=rf"load $W$ at $U = {speed / 10**exponent:.2g}\times10^{{{exponent}}}$", ylabel=r"film $H = h/R$  [$10^{-4}$]"
+    )
     other.legend(frameon=False, loc="lower left", fontsize=6.5)
     plain_ticks(ax.yaxis, [0.1, 0.2, 0.5, 1, 2])
     other.set_yticks([5e-5, 1e-4, 2e-4], ["$0.5$", "$1$", "$2$"])
@@ -231,10 +254,12 @@ def formulas(solutions: Solutions) -> Drawn:
             ),
             Statement(
                 f"{engineering.HAMROCK_DOWSON.reference}. Range: {engineering.HAMROCK_DOWSON.range} (grey).",
-                f"within it, over theirs: centre {span((center * scale / hd_center)[inside])}, minimum {span((thinnest * scale / hd_min)[inside])}",
+                f"within it, over theirs: centre {span((center * scale / hd_center)[inside])}, minimum "
+                f"{span((thinnest * scale / hd_min)[inside])}",
                 verdict="more",
                 remark="Over the whole of our range: "
-                f"centre {span(center * scale / hd_center)}, minimum {span(thinnest * scale / hd_min)}; their exponents do not keep the similarity in M.",
+                f"centre {span(center * scale / hd_center)}, minimum {span(thinnest * scale / hd_min)}; their exponents do "
+                f"not keep the similarity in M.",
             ),
         ],
     )
@@ -264,14 +289,16 @@ FIGURES = (
     FigureSpec(
         "exponents",
         "Local exponents",
-        "Local exponents of the quantities of the paper's laws; bands: the paper's exponents over its range; open symbols: the Hertz limit.",
+        "Local exponents of the quantities of the paper's laws; bands: the paper's exponents over its range; open symbols: "
+        "the Hertz limit.",
         reynolds(WIDE),
         exponents,
     ),
     FigureSpec(
         "formulas",
         "Engineering formulas",
-        "Film against load in Moes' parameters (a) and in those of Hamrock & Dowson at one speed (b; grey: their range of load).",
+        "Film against load in Moes' parameters (a) and in those of Hamrock & Dowson at one speed (b; grey: their range of "
+        "load).",
         reynolds(WIDE),
         formulas,
     ),

@@ -79,7 +79,8 @@ def full_film(solutions: Solutions) -> Drawn:
 
     def changes(name: str) -> str:
         return ", ".join(
-            f"{percent(1 + c)} at β = {b:g}" for b, c in zip(COMPARED, table[f"{name}: full film over Reynolds condition - 1"], strict=True)
+            f"{percent(1 + c)} at β = {b:g}"
+            for b, c in zip(COMPARED, table[f"{name}: full film over Reynolds condition - 1"], strict=True)
         )
 
     friction = table["friction_domain: full film over Reynolds condition - 1"]
@@ -90,7 +91,8 @@ def full_film(solutions: Solutions) -> Drawn:
         [
             Statement(
                 "The negative pressure, and its region, are vanishingly small for large β.",
-                "lowest pressure over the largest: " + ", ".join(f"{number(d, 2)} at β = {b:g}" for b, d in zip(COMPARED, deepest, strict=True)),
+                "lowest pressure over the largest: "
+                + ", ".join(f"{number(d, 2)} at β = {b:g}" for b, d in zip(COMPARED, deepest, strict=True)),
                 "≈ 0",
                 verdict="disagrees",
                 remark="The region does vanish, but not the suction in it, which falls off slowly, as some small power of β.",
@@ -101,7 +103,8 @@ def full_film(solutions: Solutions) -> Drawn:
                 "0",
                 percent(1 + friction[worst]),
                 "disagrees",
-                f"Small, but not nothing: without the condition the friction over r ≤ 2 is {percent(1 + friction[worst])} at β = "
+                f"Small, but not nothing: without the condition the friction over r ≤ 2 is {percent(1 + friction[worst])} at "
+                f"β = "
                 f"{COMPARED[worst]:g} and {percent(1 + friction[-1])} at {COMPARED[-1]:g}.",
             ),
             Statement(
@@ -118,7 +121,8 @@ FIGURES = (
     FigureSpec(
         "S2",
         "without the Reynolds condition",
-        "Pressure along x if negative values are allowed (a), the suction behind the contact (b), and the change of friction, load and outlet "
+        "Pressure along x if negative values are allowed (a), the suction behind the contact (b), and the change of "
+        "friction, load and outlet "
         "film against the Reynolds condition (c).",
         tuple(Case(b) for b in COMPARED) + tuple(Case(b, "none") for b in COMPARED),
         full_film,

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from softlube.flow_pictures import inlet_right
 from softlube.paper.figures.base import (
+    BETA,
     BLACK,
     FILM,
     FITTED,
@@ -30,6 +32,7 @@ from softlube.paper.figures.base import (
     chosen,
     letters,
     number,
+    percent,
     reynolds,
     styled,
 )
@@ -60,7 +63,9 @@ def profiles(solutions: Solutions) -> Drawn:
     figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=4, frameon=False)
     inlet_right(axes[0, 0])
     letters(axes[0])
-    ends = {s.beta: (float(s.fields.film_at(0.9, 0.0)), float(s.fields.film_at(0.9, np.pi))) for s in chosen(solutions, PROFILES)}
+    ends = {
+        s.beta: (float(s.fields.film_at(0.9, 0.0)), float(s.fields.film_at(0.9, np.pi))) for s in chosen(solutions, PROFILES)
+    }
     lobes = {s.beta: float(s.quantities["film_min_angle_deg"]) for s in chosen(solutions, PROFILES)}
     on_axis = {s.beta: float(s.quantities["film_outlet_min"] / s.quantities["film_min"]) for s in chosen(solutions, PROFILES)}
     thick = solutions[Case(1000.0)]
@@ -77,9 +82,11 @@ def profiles(solutions: Solutions) -> Drawn:
             ),
             Statement(
                 "Within r < 1 the film is thickest at the centre and falls off slowly.",
-                f"at β = 1000 u rises towards the inlet: u(x = 0.9)/u(0) = {ends[1000.0][0] / float(thick.quantities['film_center']):.3f}",
+                f"at β = 1000 u rises towards the inlet: u(x = 0.9)/u(0) = "
+                f"{ends[1000.0][0] / float(thick.quantities['film_center']):.3f}",
                 verdict="disagrees",
-                remark="Across the sliding direction the centre is the thickest. Along it the film falls from the inlet to the outlet, "
+                remark="Across the sliding direction the centre is the thickest. Along it the film falls from the inlet to "
+                "the outlet, "
                 f"slowly and then steeply; within |x| ≤ 0.95 it is thickest at x = {peak:.2f}, not at 0.",
             ),
             Statement(
@@ -104,7 +111,7 @@ def maps(solutions: Solutions) -> Drawn:
     radius, angle = np.meshgrid(np.linspace(0, 1, 161), np.linspace(0, 2 * np.pi, 361), indexing="ij")
     x, y = radius * np.cos(angle), radius * np.sin(angle)
     coarse = np.s_[::8, ::6]
-    columns = {"r [sqrt(R|h0|)]": radius[coarse].ravel(), "theta [rad]": angle[coarse].ravel()}
+    columns: dict[str, NDArray[np.floating]] = {"r [sqrt(R|h0|)]": radius[coarse].ravel(), "theta [rad]": angle[coarse].ravel()}
     for letter, ax, beta in zip("abcd", axes.flat, MAPS, strict=True):
         solution = solutions[Case(beta)]
         film = solution.fields.film_at(radius, angle)
@@ -115,7 +122,15 @@ def maps(solutions: Solutions) -> Drawn:
         ax.contour(x, y, film, levels=levels[1:-1:2], colors="white", linewidths=0.35)
         lobe = np.radians(float(solution.quantities["film_min_angle_deg"]))
         place = min(float(solution.quantities["film_min_radius"]), 1.0)
-        ax.plot([place * np.cos(lobe)] * 2, place * np.sin(lobe) * np.array([1, -1]), "+", color=OKABE_ITO[1], ms=7, mew=1.4, clip_on=False)
+        ax.plot(
+            [place * np.cos(lobe)] * 2,
+            place * np.sin(lobe) * np.array([1, -1]),
+            "+",
+            color=OKABE_ITO[1],
+            ms=7,
+            mew=1.4,
+            clip_on=False,
+        )
         ax.plot(np.cos(angle[0]), np.sin(angle[0]), color=BLACK, lw=0.6)
         ax.set(aspect="equal", xlim=(-1.08, 1.08), ylim=(-1.08, 1.08), xticks=[-1, 0, 1], yticks=[-1, 0, 1])
         ax.set_title(f"({letter}) {beta_text(beta)}", loc="left")
@@ -168,39 +183,38 @@ def inlet_film(solutions: Solutions) -> Drawn:
     exponents = local_exponents(beta, film)
     compensated = film * beta**0.6
     law = fit(beta, film, between=(FITTED[0], FITTED[-1]))
-    theory = [similarity_inlet_film(b) for b in beta]
     ax.semilogx(beta, compensated, "o", color=OKABE_ITO[0], ms=4, label=r"$u(r=1,\,\theta=0)$")
     columns = {"beta": beta, "u(1, 0) [|h0|]": film, "local exponent": exponents}
-    if theory[0] is not None:
-        values = np.array([float(t) for t in theory if t is not None]) * beta**0.6
-        ax.semilogx(beta, values, "--", color=OKABE_ITO[1], label="similarity theory")
-        columns["similarity theory [|h0|]"] = values / beta**0.6
-        last = compensated[-1] / values[-1]
-    ax.set(xlabel=BETA_AXIS, ylabel=r"inlet film $\times\,\beta^{3/5}$, $\beta^{3/5}u\,/\,|h_0|$", ylim=(0, 1.25 * compensated.max()))
-    ax.legend(frameon=False, loc="lower right")
     statements = [
         Statement(
             "u(1, 0) follows the similarity law β^(−3/5) of Snoeijer, Eggers & Venner (2013): excellent agreement.",
-            f"local exponent {number(exponents[-1])} at β = {beta[-1]:g}, {number(exponents[2])} at 100; fitted over 100 … 10⁴: "
+            f"local exponent {number(exponents[2])} at β = 100, {number(exponents[-1])} at {beta[-1]:g}; fit over 100 … 10⁴: "
             f"{number(law.exponent)} ({number(law.exponent_interval[0])} … {number(law.exponent_interval[1])})",
             "−0.6",
-            number(law.exponent + 0.6, 2),
-            remark="The exponent of the similarity theory is approached from above, and not reached within the paper's range.",
+            f"{law.exponent + 0.6:+.3f}",
+            "disagrees",
+            "The exponent of the similarity theory is approached, and not reached within the paper's range.",
         )
     ]
-    if theory[0] is not None:
+    theory = [value for value in map(similarity_inlet_film, beta) if value is not None]
+    if len(theory) == beta.size:
+        values = np.array(theory) * beta**0.6
+        ax.semilogx(beta, values, "--", color=OKABE_ITO[1], label="similarity theory")
+        columns["similarity theory [|h0|]"] = values / beta**0.6
+        ratios = {b: float(v / t) for b, v, t in zip(beta, compensated, values, strict=True)}
         statements.append(
             Statement(
                 "… and its prefactor.",
                 f"{number(compensated[-1])} β^(−3/5) at β = {beta[-1]:g}",
                 f"{number(values[-1])} β^(−3/5)",
-                f"{100 * (last - 1):+.1f} %".replace("-", "−"),
+                ", ".join(f"{percent(ratios[b])} at β = {b:g}" for b in (100.0, 1e4, 1e5)),
+                "more",
             )
         )
+    ax.set(xlabel=BETA, ylabel=r"inlet film $\beta^{3/5}\,u\,/\,|h_0|$", ylim=(0, 1.25 * compensated.max()))
+    ax.legend(frameon=False, loc="lower right")
     return Drawn(figure, [Table("inlet-film", columns)], statements)
 
-
-BETA_AXIS = r"$\beta$"
 
 FIGURES = (
     FigureSpec(
@@ -220,7 +234,8 @@ FIGURES = (
     FigureSpec(
         "S3",
         "inlet film against similarity theory",
-        "Film at the inlet edge of the contact, times β^(3/5): constant where the similarity theory of lubricated Hertzian contacts holds.",
+        "Film at the inlet edge of the contact, times β^(3/5): constant where the similarity theory of lubricated Hertzian "
+        "contacts holds.",
         reynolds(WIDE),
         inlet_film,
     ),

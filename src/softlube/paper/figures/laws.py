@@ -10,7 +10,6 @@ from softlube.limits import HERTZ_LOAD
 from softlube.paper.figures.base import (
     BETA,
     BLACK,
-    FITTED,
     GREY,
     OKABE_ITO,
     ONE_COLUMN,
@@ -42,7 +41,7 @@ from softlube.scaling import (
     PaperLaw,
     compare,
     fit,
-    friction_fits,
+    friction_reading,
 )
 
 
@@ -53,7 +52,8 @@ def law_statements(comparison: Comparison, remark: str = "", tolerance: float = 
     interval = f"{number(ours.exponent_interval[0])} … {number(ours.exponent_interval[1])}"
     differs = abs(comparison.exponent_difference) > tolerance
     bends = (
-        f"Our local exponent runs from {number(comparison.exponents[np.argmin(np.abs(comparison.beta - PAPER_RANGE[0]))])} at β = 100 to "
+        f"Our local exponent runs from {number(comparison.exponents[np.argmin(np.abs(comparison.beta - PAPER_RANGE[0]))])} "
+        f"at β = 100 to "
         f"{number(comparison.exponents[np.argmin(np.abs(comparison.beta - PAPER_RANGE[1]))])} at 10⁴."
     )
     at_1000 = float(ours(1000.0) / law(1000.0))
@@ -124,18 +124,22 @@ def gradient_and_layer(solutions: Solutions) -> Drawn:
             *law_statements(gradient),
             Statement(
                 "(20) is printed for p̄, normalised by 4πG√(|h₀|/R).",
-                f"our gradient over (20) at β = {ours[6].beta:g}: {printed:.4f} for p̄, {gradient.ratios[6]:.4f} for p over the Hertz "
+                f"our gradient over (20) at β = {ours[6].beta:g}: {printed:.4f} for p̄, {gradient.ratios[6]:.4f} for p over "
+                f"the Hertz "
                 f"maximum 2/π², {over_max / float(GRADIENT(ours[6].beta)):.4f} for p over its own maximum",
                 "1",
                 percent(printed),
                 "disagrees",
-                "(20) holds for the pressure over the Hertz maximum p_H(0), at every β from 100 to 10⁴ within 1.5 %; as printed it would be "
+                "(20) holds for the pressure over the Hertz maximum p_H(0), at every β from 100 to 10⁴ within 1.5 %; as "
+                "printed it would be "
                 "wrong by the factor π²/2 = 4.9.",
             ),
             *law_statements(
                 layer,
-                "The 5 % level of the maximum pressure is no place of the layer's own scale: it moves through the layer as β grows and ends "
-                "at r = 0.99875, where Hertz's pressure has that value. So δ is no power of β, and an exponent depends on the range: "
+                "The 5 % level of the maximum pressure is no place of the layer's own scale: it moves through the layer as β "
+                "grows and ends "
+                "at r = 0.99875, where Hertz's pressure has that value. So δ is no power of β, and an exponent depends on "
+                "the range: "
                 f"over 100 ≤ β ≤ 1000 ours is {number(fit(layer.beta, layer.values, between=(100, 1000)).exponent)}.",
             ),
         ],
@@ -177,40 +181,52 @@ def friction_and_load(solutions: Solutions) -> Drawn:
     other.set(xlabel=BETA, ylabel=r"load $N\,/\,4\pi G|h_0|\sqrt{R|h_0|}$", ylim=(0, 0.85))
     other.legend(frameon=False, loc="upper right")
     letters(axes[0])
-    cutoffs = (1.0, 1.5, 2.0, 2.5, 3.0)
-    regions = friction_fits(ours, cutoffs)
-    heavy = chosen(solutions, [b for b in FITTED if b >= 500])
-    worst = {c: max(abs(s.friction_within(c) / float(FRICTION(s.beta)) - 1) for s in heavy) for c in (1.0, 2.0, 3.0)}
-    upper = fit([s.beta for s in heavy], [float(s.quantities["friction_domain"]) for s in heavy])
+    readings = [
+        friction_reading(ours, cutoff, by_load=by_load, between=between)
+        for between in (PAPER_RANGE, (500.0, 1e4))
+        for by_load in (False, True)
+        for cutoff in (1.0, 1.3, 1.5, 2.0, 2.5, 3.0)
+    ]
+    whole = {(r.cutoff, r.by_load): r for r in readings[:12]}
+    upper = {(r.cutoff, r.by_load): r for r in readings[12:]}
     base = _table("laws", drag)
     columns = dict(base.columns) | {"friction over r <= 1": contact, "load": load}
-    fits = Table(
-        "regions",
-        {
-            "cutoff [sqrt(R|h0|)]": list(cutoffs),
-            "prefactor over 100..1e4": [regions[c].prefactor for c in cutoffs],
-            "exponent over 100..1e4": [regions[c].exponent for c in cutoffs],
-            "largest |F/(28) - 1| for 500..1e4": [max(abs(s.friction_within(c) / float(FRICTION(s.beta)) - 1) for s in heavy) for c in cutoffs],
-        },
-    )
+    table = {
+        "cutoff [sqrt(R|h0|)]": [r.cutoff for r in readings],
+        "beta and unit of force by": ["load" if r.by_load else "h0" for r in readings],
+        "from beta": [100.0] * 12 + [500.0] * 12,
+        "prefactor": [r.fit.prefactor for r in readings],
+        "exponent": [r.fit.exponent for r in readings],
+        "largest |F/(28) - 1|": [r.deviation for r in readings],
+    }
+    best = whole[2.0, True]
     return Drawn(
         figure,
-        [Table("laws", columns), fits],
+        [Table("laws", columns), Table("readings", table)],
         [
             *law_statements(
                 drag,
-                f"The paper's exponent is ours over the upper part of the range: {number(upper.exponent)} for 500 ≤ β ≤ 10⁴.",
+                f"Over the upper part of the range, 500 ≤ β ≤ 10⁴, ours is {number(upper[2.0, False].fit.exponent)}; with β and the "
+                f"indentation by the load (29, 30) it is {number(best.fit.exponent)} over the whole range.",
                 tolerance=0.015,
             ),
             Statement(
                 "(27a), and so (28), is over r ≤ 1.",
-                f"largest distance from (28) for 500 ≤ β ≤ 10⁴: {100 * worst[1.0]:.1f} % over r ≤ 1, {100 * worst[2.0]:.1f} % over r ≤ 2, "
-                f"{100 * worst[3.0]:.1f} % over r ≤ 3",
+                f"largest distance from (28) for 500 ≤ β ≤ 10⁴: {100 * upper[1.0, False].deviation:.1f} % over r ≤ 1, "
+                f"{100 * upper[2.0, False].deviation:.1f} % over r ≤ 2, {100 * upper[3.0, False].deviation:.1f} % over r ≤ 3",
                 "r ≤ 1",
                 "r ≤ 2",
                 "disagrees",
-                "(28) is the friction over r ≤ 2, the paper's whole domain: no other region comes as near. Over r ≤ 1 the exponent fitted is "
-                f"{number(regions[1.0].exponent)}, over r ≤ 2 {number(regions[2.0].exponent)}.",
+                "(28) is the friction over r ≤ 2, the paper's whole domain; over r ≤ 1 it is too large at every β, and the exponent "
+                f"would be {number(whole[1.0, False].fit.exponent)}.",
+            ),
+            Statement(
+                "(28) with β and the indentation by the load, as (29), (30) and Fig. 13 use it, over r ≤ 2 and 100 ≤ β ≤ 10⁴",
+                f"{number(best.fit.prefactor)} β^({number(best.fit.exponent)}), within {100 * best.deviation:.1f} % of (28)",
+                "4.806 β^(−0.4398)",
+                f"{best.fit.exponent - FRICTION.exponent:+.4f}".replace("-", "−"),
+                remark=f"At fixed depth the distance reaches {100 * whole[2.0, False].deviation:.0f} % at β = 100. A region r ≤ 1.3 at "
+                f"fixed depth would fit as well ({100 * whole[1.3, False].deviation:.1f} %), but nothing in the paper suggests it.",
             ),
             load_statement(solutions),
         ],
@@ -233,7 +249,9 @@ def experiments(solutions: Solutions, data: Path | None = None) -> Drawn:
     ax.loglog(beta_load, master[2.0], "-", color=OKABE_ITO[0], label=r"softlube, $r\leq 2$")
     ax.loglog(beta_load, master[1.0], "--", color=OKABE_ITO[1], label=r"softlube, $r\leq 1$")
     ax.loglog(inside, FRICTION(inside), ":", color=BLACK, label="paper (28)")
-    tables = [Table("theory", {"beta by the load (30)": beta_load, "friction r <= 2": master[2.0], "friction r <= 1": master[1.0]})]
+    tables = [
+        Table("theory", {"beta by the load (30)": beta_load, "friction r <= 2": master[2.0], "friction r <= 1": master[1.0]})
+    ]
     statements = [
         Statement(
             "(28) is the theory of Fig. 13, with β from the load by (30).",
@@ -278,12 +296,15 @@ FIGURES = (
     FigureSpec(
         "7",
         "Largest inlet gradient and boundary layer",
-        "Largest pressure gradient on the inlet axis, over p_H(0) (a), and thickness of the inlet boundary layer (b). Line: the paper's law, "
+        "Largest pressure gradient on the inlet axis, over p_H(0) (a), and thickness of the inlet boundary layer (b). Line: "
+        "the paper's law, "
         "dotted outside its range.",
         _WIDE,
         gradient_and_layer,
     ),
-    FigureSpec("10", "Centre and minimum film", "Film at the centre and minimum film, with the paper's laws (22a, b).", _WIDE, films),
+    FigureSpec(
+        "10", "Centre and minimum film", "Film at the centre and minimum film, with the paper's laws (22a, b).", _WIDE, films
+    ),
     FigureSpec(
         "12",
         "Friction and load",
@@ -294,7 +315,8 @@ FIGURES = (
     FigureSpec(
         "13",
         "Master curve for experiments",
-        "Friction against β, both by the load, as an experiment under a given load has them; measured points if given with --data.",
+        "Friction against β, both by the load, as an experiment under a given load has them; measured points if given with "
+        "--data.",
         reynolds(WIDE),
         experiments,
     ),

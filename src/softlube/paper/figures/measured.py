@@ -98,4 +98,6 @@ def _factor(name: str, unit: str) -> float:
     try:
         return to_si(kind, f"1 {unit}")
     except InputError:
-        raise InputError(f"data: column {name!r} has the unit {unit!r}; expected one like '{name} [{PHYSICAL[name]}]'") from None
+        raise InputError(
+            f"data: column {name!r} has the unit {unit!r}; expected one like '{name} [{PHYSICAL[name]}]'"
+        ) from None

@@ -71,7 +71,8 @@ def profiles(solutions: Solutions) -> Drawn:
             ),
             Statement(
                 "No Petrusevich spike.",
-                f"the maximum is at most {100 * (spike - 1):.2f} % above the pressure at the centre, and there is no second one",
+                f"the maximum is at most {100 * (spike - 1):.2f} % above the pressure at the centre, and there is no second "
+                f"one",
             ),
         ],
     )
@@ -86,8 +87,8 @@ def _distance_to_hertz(solution: Solution) -> float:
 def radial_slope(solution: Solution, r: np.ndarray, theta: float) -> np.ndarray:
     """∂p̄/∂r along a ray.
 
-    The pressure ends as a parabola at the free boundary: from the last node before it the slope goes to zero in a straight line, where
-    the spline, blind to the boundary, would ring.
+    The pressure ends as a parabola at the free boundary: from the last node before it the slope goes to zero in a straight
+    line, where the spline, blind to the boundary, would ring.
     """
     slope = flow.pressure_gradient(solution, r, theta)[0]
     boundary = free_boundary(solution)
@@ -126,7 +127,9 @@ def gradients(solutions: Solutions) -> Drawn:
         inset.tick_params(labelsize=6, length=2, pad=1.5)
         inset.set_xticks([0.8, 1.0, 1.2] if name == "intake" else [0.96, 1.0, 1.04])
         inset.yaxis.set_major_locator(_few_ticks(3))
-        ax.text(0.03, 0.97, rf"{name}, $\theta = {'0' if name == 'intake' else chr(92) + 'pi'}$", transform=ax.transAxes, va="top")
+        ax.text(
+            0.03, 0.97, rf"{name}, $\theta = {'0' if name == 'intake' else chr(92) + 'pi'}$", transform=ax.transAxes, va="top"
+        )
         tables.append(Table(name, columns))
     axes[0, 0].set_ylabel(r"pressure gradient $\partial p/\partial r\,/\,(4\pi G/R)$")
     axes[0, 0].legend(loc="lower right", frameon=False)
@@ -172,7 +175,9 @@ def whole_domain(solutions: Solutions) -> Drawn:
     mesh = None
     for ax, beta in zip(maps, shown, strict=True):
         pressure = np.where(r <= 2, solutions[Case(beta)].fields.pressure_at(np.minimum(r, 2), theta), np.nan)
-        mesh = ax.contourf(x, y, np.ma.masked_invalid(pressure), levels=np.linspace(0, norm.vmax or 1, 15), cmap="magma", norm=norm)
+        mesh = ax.contourf(
+            x, y, np.ma.masked_invalid(pressure), levels=np.linspace(0, norm.vmax or 1, 15), cmap="magma", norm=norm
+        )
         mesh.set_edgecolor("face")
         turn = np.linspace(0, 2 * np.pi, 200)
         ax.plot(np.cos(turn), np.sin(turn), "--", color="white", lw=0.6)
@@ -212,12 +217,14 @@ def whole_domain(solutions: Solutions) -> Drawn:
             ),
             Statement(
                 "Far away p = (4/5β) cos θ/r³ (9).",
-                f"with the Reynolds condition {profile_at_zero:.3f}/(βr³) at θ = 0 but {profile_at_side:.3f}/(βr³) at 90° (ours at β = 1000, "
+                f"with the Reynolds condition {profile_at_zero:.3f}/(βr³) at θ = 0 but {profile_at_side:.3f}/(βr³) at 90° "
+                f"(ours at β = 1000, "
                 f"r = 15: {found_at_side:.3f})",
                 "0.800 and 0",
                 f"{profile_at_zero - 0.8:+.3f} and {profile_at_side:+.3f}",
                 "disagrees",
-                "(9) is the far field of a full film. Under the Reynolds condition the far pressure has a free boundary of its own at "
+                "(9) is the far field of a full film. Under the Reynolds condition the far pressure has a free boundary of "
+                "its own at "
                 "108.4° from the inlet, which changes its angular profile.",
             ),
         ],
@@ -260,7 +267,8 @@ FIGURES = (
     FigureSpec(
         "S1",
         "pressure over the whole domain",
-        "Pressure over the paper's domain r ≤ 2 (a-c; dashed: the Hertz contact; the inlet is on the right) and its decay along the inlet "
+        "Pressure over the paper's domain r ≤ 2 (a-c; dashed: the Hertz contact; the inlet is on the right) and its decay "
+        "along the inlet "
         "axis (d). Dotted: far field with the Reynolds condition.",
         reynolds((100.0, 300.0, 1000.0)),
         whole_domain,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from softlube import flow
 from softlube.flow_pictures import picture
@@ -31,7 +32,7 @@ def averages(solutions: Solutions) -> Drawn:
     solution = solutions[Case(SHOWN)]
     degrees = np.linspace(0, 360, 721)
     figure, axes = canvas(TWO_COLUMNS, 2.7, 1, 2, sharex=True)
-    columns = {"theta [deg]": degrees}
+    columns: dict[str, NDArray[np.floating]] = {"theta [deg]": degrees}
     rings = {}
     for radius, colour, line in zip((0.5, 1.0), OKABE_ITO, LINES, strict=False):
         v_r, v_t = flow.mean_velocity(solution, radius, np.radians(degrees))
@@ -95,7 +96,8 @@ def streamlines(solutions: Solutions) -> Drawn:
             Statement("Liquid is conserved.", f"net flux through r = 0.9 over the flux into it: {gap:.0e}", "0"),
             Statement(
                 "How much of the liquid enters.",
-                f"at x = 1.5 only the lowest {100 * turning:.1f} % of the film goes under the sphere; the rest turns round before it",
+                f"at x = 1.5 only the lowest {100 * turning:.1f} % of the film goes under the sphere; the rest turns round "
+                f"before it",
                 verdict="more",
                 remark="The flow in front of the intake is a vortex under the advancing sphere, seen from it.",
             ),
@@ -110,8 +112,9 @@ def _highest_entering(solution) -> float:
         levels = np.linspace(low, high, 26)[1:-1]
         lines = flow.section_streamlines(solution, [(1.5, level) for level in levels])
         enters = [line[-1, 0] < 0 for line in lines]
-        low, high = max((v for v, e in zip(levels, enters, strict=True) if e), default=low), min(
-            (v for v, e in zip(levels, enters, strict=True) if not e), default=high
+        low, high = (
+            max((v for v, e in zip(levels, enters, strict=True) if e), default=low),
+            min((v for v, e in zip(levels, enters, strict=True) if not e), default=high),
         )
     return low
 
@@ -127,8 +130,10 @@ FIGURES = (
     FigureSpec(
         "flow",
         "Flow in the gap",
-        "β = 1000, frame of the sphere. Streamlines of the mean flow over its speed (a; grey: broken film), streamlines in the vertical mid-plane, "
-        "where the height is a share of the film (b), shear stress on sphere and substrate along x (c) and y (d). Inlet on the right.",
+        "β = 1000, frame of the sphere. Streamlines of the mean flow over its speed (a; grey: broken film), streamlines in "
+        "the vertical mid-plane, "
+        "where the height is a share of the film (b), shear stress on sphere and substrate along x (c) and y (d). Inlet on "
+        "the right.",
         (Case(SHOWN),),
         streamlines,
     ),
