@@ -206,7 +206,8 @@ def friction_and_load(solutions: Solutions) -> Drawn:
         [
             *law_statements(
                 drag,
-                f"Over the upper part of the range, 500 ≤ β ≤ 10⁴, ours is {number(upper[2.0, False].fit.exponent)}; with β and the "
+                f"Over the upper part of the range, 500 ≤ β ≤ 10⁴, ours is {number(upper[2.0, False].fit.exponent)}; with β "
+                f"and the "
                 f"indentation by the load (29, 30) it is {number(best.fit.exponent)} over the whole range.",
                 tolerance=0.015,
             ),
@@ -217,7 +218,8 @@ def friction_and_load(solutions: Solutions) -> Drawn:
                 "r ≤ 1",
                 "r ≤ 2",
                 "disagrees",
-                "(28) is the friction over r ≤ 2, the paper's whole domain; over r ≤ 1 it is too large at every β, and the exponent "
+                "(28) is the friction over r ≤ 2, the paper's whole domain; over r ≤ 1 it is too large at every β, and the "
+                "exponent "
                 f"would be {number(whole[1.0, False].fit.exponent)}.",
             ),
             Statement(
@@ -225,8 +227,10 @@ def friction_and_load(solutions: Solutions) -> Drawn:
                 f"{number(best.fit.prefactor)} β^({number(best.fit.exponent)}), within {100 * best.deviation:.1f} % of (28)",
                 "4.806 β^(−0.4398)",
                 f"{best.fit.exponent - FRICTION.exponent:+.4f}".replace("-", "−"),
-                remark=f"At fixed depth the distance reaches {100 * whole[2.0, False].deviation:.0f} % at β = 100. A region r ≤ 1.3 at "
-                f"fixed depth would fit as well ({100 * whole[1.3, False].deviation:.1f} %), but nothing in the paper suggests it.",
+                remark=f"At fixed depth the distance reaches {100 * whole[2.0, False].deviation:.0f} % at β = 100. A region "
+                f"r ≤ 1.3 at "
+                f"fixed depth would fit as well ({100 * whole[1.3, False].deviation:.1f} %), but nothing in the paper "
+                f"suggests it.",
             ),
             load_statement(solutions),
         ],

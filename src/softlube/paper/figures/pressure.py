@@ -131,7 +131,8 @@ def gradients(solutions: Solutions) -> Drawn:
             0.03, 0.97, rf"{name}, $\theta = {'0' if name == 'intake' else chr(92) + 'pi'}$", transform=ax.transAxes, va="top"
         )
         tables.append(Table(name, columns))
-    axes[0, 0].set_ylabel(r"pressure gradient $\partial p/\partial r\,/\,(4\pi G/R)$")
+    for ax in axes[0]:
+        ax.set_ylabel(r"pressure gradient $\partial p/\partial r\,/\,(4\pi G/R)$")
     axes[0, 0].legend(loc="lower right", frameon=False)
     letters(axes[0])
     intake, outlet = peaks["intake"], peaks["outlet"]
