@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -98,6 +98,23 @@ FILM_MIN = PaperLaw("22b", "film_min", "minimum film", 0.9283, -0.6626, -3 / 4)
 FRICTION = PaperLaw("28", "friction_domain", "friction over r ≤ 2", 4.806, -0.4398, -2 / 5)
 LAWS = (GRADIENT, BOUNDARY_LAYER, FILM_CENTER, FILM_MIN, FRICTION)
 """The paper's laws, with (20) over the Hertz maximum and (28) over r ≤ 2, as the data show (docs/paper-comparison.md)."""
+
+
+ASYMPTOTES = {
+    "pressure_gradient_inlet": "pressure_gradient_inlet_asymptote",
+    "film_center": "film_center_asymptote",
+    "film_min": "film_min_asymptote",
+    "film_inlet": "film_inlet_asymptote",
+    "friction_contact": "friction_contact_asymptote",
+}
+"""Functions of `softlube.limits` that give a quantity in the Hertz limit, as functions of β."""
+
+
+def asymptote(quantity: str) -> Callable[[ArrayLike], Array] | None:
+    """The law of a quantity in the Hertz limit β → ∞, with its prefactor; None where `softlube.limits` has none."""
+    from softlube import limits
+
+    return getattr(limits, ASYMPTOTES.get(quantity, ""), None)
 
 
 def fit(beta: ArrayLike, values: ArrayLike, *, between: tuple[float, float] | None = None, level: float = 0.95) -> PowerLaw:

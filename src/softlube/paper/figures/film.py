@@ -36,7 +36,7 @@ from softlube.paper.figures.base import (
     reynolds,
     styled,
 )
-from softlube.scaling import fit, local_exponents
+from softlube.scaling import asymptote, fit, local_exponents
 
 
 @styled
@@ -163,15 +163,6 @@ def maps(solutions: Solutions) -> Drawn:
     )
 
 
-def similarity_inlet_film(beta: float) -> float | None:
-    """Inlet film u(1, 0) of the similarity theory, if `softlube.inlet` has it."""
-    try:
-        from softlube.inlet import inlet_film  # pyrefly: ignore
-    except ImportError:
-        return None
-    return float(inlet_film(beta))
-
-
 @styled
 def inlet_film(solutions: Solutions) -> Drawn:
     """Supporting information: film at the inlet, r = 1 and θ = 0, against the law of similarity."""
@@ -196,9 +187,9 @@ def inlet_film(solutions: Solutions) -> Drawn:
             "The exponent of the similarity theory is approached, and not reached within the paper's range.",
         )
     ]
-    theory = [value for value in map(similarity_inlet_film, beta) if value is not None]
-    if len(theory) == beta.size:
-        values = np.array(theory) * beta**0.6
+    law_of_similarity = asymptote("film_inlet")
+    if law_of_similarity is not None:
+        values = law_of_similarity(beta) * beta**0.6
         ax.semilogx(beta, values, "--", color=OKABE_ITO[1], label="similarity theory")
         columns["similarity theory [|h0|]"] = values / beta**0.6
         ratios = {b: float(v / t) for b, v, t in zip(beta, compensated, values, strict=True)}

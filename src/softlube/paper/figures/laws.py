@@ -39,6 +39,7 @@ from softlube.scaling import (
     PAPER_RANGE,
     Comparison,
     PaperLaw,
+    asymptote,
     compare,
     fit,
     friction_reading,
@@ -89,6 +90,9 @@ def _draw_law(ax, comparison: Comparison, colour: str, marker: str, label: str) 
     law = comparison.law
     ax.loglog(beta[inside], law(beta[inside]), "-", color=BLACK, lw=1.0, label=f"paper ({law.equation})")
     ax.loglog(beta, law(beta), ":", color=BLACK, lw=0.7)
+    limit = asymptote(law.quantity)
+    if limit is not None:
+        ax.loglog(beta, limit(beta) / law.unit, "--", color=GREY, lw=0.8, label=r"$\beta\to\infty$")
     ax.set(xlabel=BETA)
 
 
@@ -99,6 +103,9 @@ def _table(name: str, *comparisons: Comparison) -> Table:
         columns[f"({law.equation}) {law.text}"] = comparison.values
         columns[f"({law.equation}) paper"] = law(comparison.beta)
         columns[f"({law.equation}) local exponent"] = comparison.exponents
+        limit = asymptote(law.quantity)
+        if limit is not None:
+            columns[f"({law.equation}) Hertz limit"] = limit(comparison.beta) / law.unit
     return Table(name, columns)
 
 
@@ -174,6 +181,9 @@ def friction_and_load(solutions: Solutions) -> Drawn:
     ax, other = axes[0]
     _draw_law(ax, drag, OKABE_ITO[0], "o", r"$F$ over $r\leq 2$")
     ax.loglog(drag.beta, contact, "s", color=OKABE_ITO[1], ms=3.5, mfc="none", label=r"$F$ over $r\leq 1$")
+    over_contact = asymptote("friction_contact")
+    if over_contact is not None:
+        ax.loglog(drag.beta, over_contact(drag.beta), "--", color=GREY, lw=0.8, label=r"$\beta\to\infty$, $r\leq 1$")
     ax.set(ylabel=r"friction $F\,/\,(2\pi/3)\,G h_0^2$")
     ax.legend(frameon=False, loc="lower left")
     other.semilogx(drag.beta, load, "o-", color=OKABE_ITO[2], ms=3.5, label="softlube")
