@@ -6,7 +6,7 @@ from numpy.polynomial.legendre import leggauss
 
 import softlube
 from softlube import flow
-from softlube.free_boundary import filling, free_boundary, is_wet
+from softlube.free_boundary import is_wet
 
 
 @pytest.fixture(scope="module")
@@ -101,29 +101,6 @@ def test_without_the_filling_liquid_would_appear_from_nowhere(solution):
     angle = np.linspace(0, np.pi, 2001)
     full = np.array(flow.mean_velocity(solution, 2.0, angle, frame="sphere")[0]) * solution.fields.film_at(2.0, angle)
     assert np.trapezoid(full, angle) > 0.3 * np.trapezoid(np.abs(full), angle) / 2
-
-
-def test_free_boundary_tends_to_the_far_ray(solution):
-    from softlube.limits import far_front_angle
-
-    boundary = free_boundary(solution)
-    assert float(boundary.angle(15.0)) == pytest.approx(far_front_angle(), abs=np.radians(1.0))
-    assert boundary.angle(0.5) == np.pi
-    # p and ∂p/∂n vanish there, and the gap is full on its wet side
-    y = np.array([0.0, 0.5, 0.9])
-    x = boundary.place(y)
-    r, theta = np.hypot(x, y), np.arctan2(y, x)
-    assert solution.fields.pressure_at(r, theta) == pytest.approx(0, abs=2e-4 * solution.pressure_max)
-    assert filling(solution, r * 1.0001, theta) == pytest.approx(1, abs=0.01)
-    assert filling(solution, 1.5, np.pi) == pytest.approx(
-        float(solution.film_outlet_min / solution.fields.film_at(1.5, np.pi)), rel=0.3
-    )
-
-
-def test_a_full_film_has_no_free_boundary(full_film):
-    assert free_boundary(full_film) is None
-    assert is_wet(full_film, [1.0, 3.0], np.pi).all()
-    assert np.all(filling(full_film, [1.0, 3.0], np.pi) == 1)
 
 
 def test_stream_function_is_constant_along_streamlines(solution):

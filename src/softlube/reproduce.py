@@ -167,14 +167,14 @@ def reproduce(
 def _prepared(folder: str | os.PathLike[str]) -> Path:
     target = Path(folder)
     if target.exists() and not target.is_dir():
-        raise InputError(f"folder: {os.fspath(folder)!r} is a file; expected the name of a folder")
+        raise InputError(f"{os.fspath(folder)!r} is a file; expected the name of a folder")
     try:
         for name in FOLDERS:
             (target / name).mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"folder: {os.fspath(folder)!r} cannot be made ({error.strerror})") from None
+        raise InputError(f"the folder {os.fspath(folder)!r} cannot be made ({error.strerror})") from None
     if not os.access(target, os.W_OK):
-        raise InputError(f"folder: {os.fspath(folder)!r} cannot be written to")
+        raise InputError(f"the folder {os.fspath(folder)!r} cannot be written to")
     return target
 
 
@@ -195,6 +195,13 @@ def _one_thread_each() -> Iterator[None]:
             del os.environ["OPENBLAS_NUM_THREADS"]
         else:
             os.environ["OPENBLAS_NUM_THREADS"] = before
+
+
+def _leave_interrupts_to_the_parent() -> None:
+    """A process of the pool: Ctrl-C ends the parent, which ends the pool; the children would only complain."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _run(
@@ -223,7 +230,10 @@ def _run(
     import multiprocessing
 
     context = multiprocessing.get_context("spawn")
-    with _one_thread_each(), ProcessPoolExecutor(processes, mp_context=context) as pool:
+    with (
+        _one_thread_each(),
+        ProcessPoolExecutor(processes, mp_context=context, initializer=_leave_interrupts_to_the_parent) as pool,
+    ):
         try:
             solving: dict[Future[Solution], Case] = {pool.submit(_solve_and_save, case, folder): case for case in cases}
             drawing: dict[Future[Section], FigureSpec] = {}

@@ -72,6 +72,7 @@ def law_statements(comparison: Comparison, remark: str = "", tolerance: float = 
             f"{number(ours.prefactor)}; {number(float(ours(1000.0)))}",
             f"{number(law.prefactor)}; {number(float(law(1000.0)))}",
             f"{percent(ours.prefactor / law.prefactor)}; {percent(at_1000)}",
+            "agrees" if abs(at_1000 - 1) < 0.05 else "disagrees",
             remark="A prefactor is the value extrapolated to β = 1; within the range the laws are much closer.",
         ),
         Statement(

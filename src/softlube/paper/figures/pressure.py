@@ -108,7 +108,7 @@ def gradients(solutions: Solutions) -> Drawn:
     peaks: dict[str, list[float]] = {}
     for ax, theta, name in zip(axes[0], (0.0, np.pi), ("intake", "outlet"), strict=True):
         columns: dict[str, list[float]] = {"beta": [], "r [sqrt(R|h0|)]": [], "dp/dr [4 pi G/R]": []}
-        inset = ax.inset_axes((0.085, 0.10, 0.29, 0.36) if name == "intake" else (0.09, 0.10, 0.40, 0.48))
+        inset = ax.inset_axes((0.085, 0.10, 0.26, 0.34) if name == "intake" else (0.09, 0.10, 0.40, 0.48))
         for beta, colour, line in zip(PROFILES, beta_colours(len(PROFILES)), LINES, strict=False):
             solution = solutions[Case(beta)]
             r = np.concatenate([np.linspace(0.2, 0.9, 80), np.linspace(0.9, 1.2, 900)[1:], np.linspace(1.2, 2.0, 80)[1:]])
