@@ -229,9 +229,9 @@ def friction_and_load(solutions: Solutions) -> Drawn:
                 "r ≤ 1",
                 "r ≤ 2",
                 "disagrees",
-                "(28) is the friction over r ≤ 2, the paper's whole domain; over r ≤ 1 it is too large at every β, and the "
-                "exponent "
-                f"would be {number(whole[1.0, False].fit.exponent)}.",
+                "(28) is the friction over r ≤ 2, the paper's whole domain. It lies above the friction over r ≤ 1 at every β "
+                "of the "
+                f"range, and the exponent over r ≤ 1 would be {number(whole[1.0, False].fit.exponent)}.",
             ),
             Statement(
                 "(28) with β and the indentation by the load, as (29), (30) and Fig. 13 use it, over r ≤ 2 and 100 ≤ β ≤ 10⁴",
