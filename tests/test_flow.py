@@ -135,6 +135,18 @@ def test_section_lines_turn_back_before_the_contact(solution):
         assert np.all((line[:, 1] >= 0) & (line[:, 1] <= 1))
 
 
+def test_upstream_and_downstream_are_one_line(solution):
+    (down,) = flow.section_streamlines(solution, [(1.5, 0.02)])
+    middle = down[len(down) // 2]
+    (both,) = flow.section_streamlines(solution, [middle], upstream=True)
+    assert np.any(np.all(both == middle, axis=1))
+    assert both[0, 0] > 1.5 > -0.9 > both[-1, 0]
+    assert np.interp(-1.5, -both[:, 0], both[:, 1]) == pytest.approx(0.02, rel=0.02)
+    (plane,) = flow.streamlines(solution, [(0.0, 0.4)], upstream=True)
+    assert plane[0, 0] > 1.5
+    assert plane[-1, 0] < -1.5
+
+
 def test_section_lines_conserve_flux(full_film):
     """In a plane of symmetry nearby lines keep the flux between them but for the spreading sideways, (1/u)∂q_y/∂y."""
     # Level as a function of x along a line: compare with continuity integrated by hand through the film.

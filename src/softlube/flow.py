@@ -242,19 +242,10 @@ def streamlines(
     def room(x: Array, y: Array) -> Array:
         return reach - np.hypot(x, y)
 
-    down = _trace(direction, starts, room, 2.5 * reach)
-    if not upstream:
-        return down
-
-    def against(x: Array, y: Array) -> tuple[Array, Array]:
-        v_x, v_y = direction(x, y)
-        return -v_x, -v_y
-
-    up = _trace(against, starts, room, 2.5 * reach)
-    return [np.concatenate([before[:0:-1], after]) for before, after in zip(up, down, strict=True)]
+    return _trace(direction, starts, room, 2.5 * reach, upstream=upstream)
 
 
-def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float = 2.0) -> list[Array]:
+def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float = 2.0, upstream: bool = False) -> list[Array]:
     """Streamlines in the vertical mid-plane y = 0, frame of the sphere, where they stay by symmetry.
 
     With the level ζ as coordinate the walls are ζ = 0 and 1, and continuity with the Reynolds equation (6a) gives
@@ -268,6 +259,8 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
         Points (x, ζ) from which lines are followed downstream.
     reach : float
         Lines end at |x| = reach, at the free boundary, or where the liquid is at rest.
+    upstream : bool
+        Follow them upstream as well; the points are then in the middle of their lines.
 
     Returns
     -------
@@ -286,7 +279,7 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
 
     boundary = free_boundary(solution)
     last = -reach if boundary is None else max(-reach, float(boundary.place(0.0)))
-    return _trace(direction, starts, lambda x, _: np.minimum(reach - x, x - last), 2.5 * reach)
+    return _trace(direction, starts, lambda x, _: np.minimum(reach - x, x - last), 2.5 * reach, upstream=upstream)
 
 
 def _trace(
@@ -294,11 +287,22 @@ def _trace(
     starts: ArrayLike,
     room: Callable[[Array, Array], Array],
     length: float,
+    *,
+    upstream: bool = False,
 ) -> list[Array]:
     """Follow a direction field from points by the arc, all lines at once, until `room` runs out or the field vanishes."""
     from scipy.integrate import solve_ivp
 
     starts = np.atleast_2d(np.asarray(starts, dtype=float))
+    if upstream:
+
+        def against(x: Array, y: Array) -> tuple[Array, Array]:
+            v_x, v_y = direction(x, y)
+            return -v_x, -v_y
+
+        up = _trace(against, starts, room, length)
+        down = _trace(direction, starts, room, length)
+        return [np.concatenate([before[:0:-1], after]) for before, after in zip(up, down, strict=True)]
 
     def unit(_: float, flat: Array) -> Array:
         x, y = flat.reshape(2, -1)

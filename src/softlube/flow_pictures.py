@@ -123,9 +123,10 @@ def section(ax: Axes, solution: Solution, *, length: float = 1.0, unit: str = r"
     if boundary is not None:
         ax.axvspan(-REACH * length, front * length, color="0.8")
     ax.contour(across * length, up, np.ma.masked_invalid(v_x), levels=[0.0], colors="white", linewidths=0.8, linestyles="--")
-    starts = [(1.59, level) for level in (0.004, 0.01, 0.02, 0.03, 0.06, 0.12, 0.2, 0.3, 0.42)]
-    starts += [(0.6, level) for level in (0.55, 0.75, 0.9)]
-    lines = flow.section_streamlines(solution, starts, reach=REACH)
+    turning = [(REACH - 0.01, level) for level in (0.03, 0.06, 0.12, 0.2, 0.3, 0.42)]
+    entering = [(0.0, level) for level in (0.1, 0.25, 0.4, 0.55, 0.7, 0.85)]
+    lines = flow.section_streamlines(solution, turning, reach=REACH)
+    lines += flow.section_streamlines(solution, entering, reach=REACH, upstream=True)
     _arrows(ax, [line * [length, 1] for line in lines], "white")
     ax.set(xlabel=rf"$x{unit}$", ylabel=r"level $(z-w)\,/\,u$", xlim=(-REACH * length, REACH * length), ylim=(0, 1))
     bar = ax.figure.colorbar(
