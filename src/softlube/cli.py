@@ -249,6 +249,12 @@ def _write_files(solution: Solution, output: str | None, plot: str | None) -> No
 
 # Commands in modules of their own, imported when they are called.
 app.command("softlube.commands.curve:curve", name="curve", help="Print or draw any quantity as a function of β, at once.")
+app.command(
+    "softlube.commands.reproduce:reproduce",
+    name="reproduce",
+    help="Draw the paper's figures and report our numbers beside its.",
+)
+app.command("softlube.commands.flow:flow", name="flow", help="Draw the flow in the gap: streamlines, velocities, wall shear.")
 
 
 # --- the table ------------------------------------------------------------------------------------------------------

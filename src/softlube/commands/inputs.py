@@ -1,0 +1,90 @@
+"""How a command is told which contact to read: a file, a physical contact, or β."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Group, Parameter
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from softlube.solution import Solution
+
+PHYSICAL = Group("Physical contact (text with units, such as '2 mm')", sort_key=2)
+GIVEN = Group("Solved or dimensionless contact", sort_key=1)
+Physical = Annotated[str | None, Parameter(group=PHYSICAL, allow_leading_hyphen=True)]
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Which:
+    """One contact, to be solved or read.
+
+    Parameters
+    ----------
+    solution
+        NetCDF file written by `softlube solve --output`.
+    beta
+        β = (2/3)(h0²/R) πG/(ηv) of a dimensionless contact.
+    radius
+        Radius of the sphere, such as "2 mm".
+    young_modulus
+        Young's modulus of the substrate (incompressible), such as "3 MPa".
+    shear_modulus
+        Shear modulus instead, such as "1 MPa".
+    viscosity
+        Dynamic viscosity of the liquid, such as "2 Pa s".
+    speed
+        Sliding speed, such as "0.1 mm/s".
+    load
+        Normal load, such as "100 mN".
+    indentation
+        Depth of the sphere's lowest point below the undeformed surface instead, such as "50 um".
+    cavitation
+        "reynolds" (no negative pressure) or "none".
+    """
+
+    solution: Annotated[str | None, Parameter(group=GIVEN)] = None
+    beta: Annotated[float | None, Parameter(group=GIVEN)] = None
+    radius: Physical = None
+    young_modulus: Physical = None
+    shear_modulus: Physical = None
+    viscosity: Physical = None
+    speed: Physical = None
+    load: Physical = None
+    indentation: Physical = None
+    cavitation: Annotated[str | None, Parameter(group=GIVEN)] = None
+
+    def get(self, progress: Callable[[str], None] | None = None) -> Solution:
+        """The solution, read or solved.
+
+        Raises
+        ------
+        InputError
+            If not exactly one way of naming a contact is used.
+        """
+        from softlube.errors import InputError
+
+        names = ("radius", "young_modulus", "shear_modulus", "viscosity", "speed", "load", "indentation")
+        physical = {name: getattr(self, name) for name in names if getattr(self, name) is not None}
+        ways = [name for name in ("solution", "beta") if getattr(self, name) is not None] + list(physical)[:1]
+        if not ways:
+            raise InputError("solution: missing; give --solution, --beta, or a physical contact (--radius, …); see --help")
+        if len(ways) > 1:
+            raise InputError(f"{', '.join(ways)}: give one contact, not several")
+        if self.solution is not None:
+            if self.cavitation is not None:
+                raise InputError("cavitation: the solution has its own; leave it out")
+            from softlube.io import load
+
+            return load(self.solution)
+        cavitation = self.cavitation or "reynolds"
+        if physical:
+            from softlube.contact import Contact
+
+            return Contact(**physical, cavitation=cavitation).solve(progress=progress)
+        from softlube.solver import solve
+
+        return solve(self.beta, cavitation=cavitation, progress=progress)
