@@ -20,7 +20,7 @@ R, THETA = np.meshgrid([0.0, 0.3, 0.9, 1.0, 1.2, 2.5], [0.0, 0.8, 2.0, -2.6, np.
 @pytest.mark.parametrize("frame", ["substrate", "sphere"])
 def test_no_slip_at_both_walls_exactly(solution, frame):
     moves = 1.0 if frame == "substrate" else 0.0
-    sphere, substrate = flow.sphere_height(R), flow.substrate_height(solution, R, THETA)
+    sphere, substrate = flow.sphere_height(solution, R), flow.substrate_height(solution, R, THETA)
     for where in ({"z": sphere}, {"level": 1.0}):
         v_r, v_t = flow.velocity(solution, R, THETA, **where, frame=frame)
         assert np.array_equal(v_r, moves * np.cos(THETA))
@@ -41,7 +41,7 @@ def test_velocity_is_that_of_equation_23(solution):
     """Written out as printed, with the pressure gradient by central differences."""
     r, theta, level = 0.97, 0.6, 0.3
     fields, step = solution.fields, 1e-5
-    u, w, h = fields.film_at(r, theta), flow.substrate_height(solution, r, theta), flow.sphere_height(r)
+    u, w, h = fields.film_at(r, theta), flow.substrate_height(solution, r, theta), flow.sphere_height(solution, r)
     z = w + level * u
     p_r = (fields.pressure_at(r + step, theta) - fields.pressure_at(r - step, theta)) / (2 * step)
     p_t = (fields.pressure_at(r, theta + step) - fields.pressure_at(r, theta - step)) / (2 * step)

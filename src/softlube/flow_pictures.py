@@ -171,14 +171,14 @@ def _stress_scale(solution: Solution) -> tuple[float, str]:
     contact = solution.contact
     if contact is None:
         return float(solution.quantities["film_center"]), r"$/\,(\eta v/u(0))$"
-    return contact.viscosity * contact.speed / float(solution.dimensional["indentation"]), "[Pa]"
+    return contact.viscosity * contact.speed / contact.unit_height, "[Pa]"
 
 
 def _length_scale(solution: Solution) -> tuple[float, str]:
     """Factor from √(R|h₀|) to the unit plotted, and its label (inside mathematics)."""
     if solution.contact is None:
-        return 1.0, r"\,/\,\sqrt{R|h_0|}"
-    radius = float(solution.dimensional["contact_radius"])
+        return 1.0, r"\,/\,\sqrt{R\delta}" if solution.problem.load_controlled else r"\,/\,\sqrt{R|h_0|}"
+    radius = solution.contact.unit_length
     for factor, name in ((1e9, "nm"), (1e6, "µm"), (1e3, "mm"), (1.0, "m")):
         if radius * factor < 1000:
             return radius * factor, rf"\ \mathrm{{[{name}]}}"

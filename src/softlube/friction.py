@@ -19,7 +19,6 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
-from softlube.flow import sphere_height
 from softlube.limits import far_field_profile
 from softlube.quantities import integrate
 from softlube.solution import Solution
@@ -187,6 +186,6 @@ def vertical_balance(solution: Solution, radius: float = 8.0) -> VerticalBalance
     far = 2 * np.pi * far_mean * float(np.trapezoid(influence(beyond) / beyond, np.log(beyond)))
     # On the nodes themselves: between them the film's parabola would drown the displacement in interpolation errors.
     s = chart.s_of(fields.theta)
-    displacement = (sphere_height(radius) - fields.film[ring]) * chart.dtheta_ds(s)
+    displacement = (fields.height + radius**2 / 2 - fields.film[ring]) * chart.dtheta_ds(s)
     mean = float(np.trapezoid(displacement, s)) / np.pi
     return VerticalBalance(float(fields.load), sphere, sphere + radius * (-mean - near - far))

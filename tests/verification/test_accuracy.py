@@ -9,55 +9,76 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import softlube
-from softlube.quantities import DESCRIPTION
+from softlube.problem import Problem
+from softlube.solver import solve_problem, yardstick
 
 REFERENCE = json.loads((Path(__file__).parent / "reference.json").read_text())
-TARGETS = {"film_min": 3e-3, "pressure_gradient_inlet": 3e-3}
-SHEAR = {"reynolds": 5e-3, "none": 3e-2}  # without the condition it is largest in the narrow suction behind the contact
+CASES = [Problem(**case["problem"]) for case in REFERENCE]
+TARGETS = {"film_min": 3e-3}
+# The largest shear lies where the film is thinnest, and without the condition in the narrow suction behind the contact.
+SHEAR = {"reynolds": 5e-3, "none": 3e-2}
+PLACE = {"film_min_radius": 5e-3, "film_min_angle_deg": 2.0}
+HERTZ_LIMIT = 1e7
+"""β beyond which the targets are those of the Hertz limit."""
+
+
+def name_of(problem):
+    return f"{'load' if problem.load_controlled else 'beta'}-{problem.parameter:g}-{problem.cavitation}"
 
 
 @pytest.fixture(scope="module")
 def comparison():
-    """For each case: (name, true error, estimate, uncertainty of the reference, value)."""
+    """For each case: (name, true error, estimate, uncertainty of the reference), in terms of the yardstick."""
     rows = {}
-    for case in REFERENCE:
-        solution = softlube.solve(beta=case["beta"], cavitation=case["cavitation"])
-        rows[case["beta"], case["cavitation"]] = [
-            (
-                name,
-                abs(solution.quantities[name] - case["quantities"][name]["value"]),
-                solution.quantities[name].error,
-                case["quantities"][name]["uncertainty"],
-                case["quantities"][name]["value"],
-            )
-            for name in DESCRIPTION
-        ]
-    return rows
+
+    def of(index):
+        if index not in rows:
+            exact = {name: item["value"] for name, item in REFERENCE[index]["quantities"].items()}
+            solution = solve_problem(CASES[index])
+            rows[index] = [
+                (
+                    name,
+                    abs(solution.quantities[name] - exact[name]) / yardstick(name, exact),
+                    solution.quantities[name].error / yardstick(name, exact),
+                    REFERENCE[index]["quantities"][name]["uncertainty"] / yardstick(name, exact),
+                )
+                for name in exact
+            ]
+        return rows[index]
+
+    return of
 
 
-@pytest.mark.parametrize("case", [(c["beta"], c["cavitation"]) for c in REFERENCE])
-def test_every_quantity_is_within_its_target(comparison, case):
-    for name, error, _, _, value in comparison[case]:
-        if name == "film_min_angle_deg":
-            assert error < 2, name
-        elif name == "film_min_radius":
-            assert error < 5e-3, name
+@pytest.mark.parametrize("index", range(len(CASES)), ids=map(name_of, CASES))
+def test_every_quantity_is_within_its_target(comparison, index):
+    problem = CASES[index]
+    lifted = problem.load_controlled and problem.parameter < 3.5  # the minimum film sits on the axis, where angles mean nothing
+    for name, error, _, _ in comparison(index):
+        if name in PLACE:
+            assert error < PLACE[name] or lifted, name
+        elif name == "shear_rate_max":
+            assert error < SHEAR[problem.cavitation], name
+        elif problem.parameter > HERTZ_LIMIT:
+            assert error < (2e-2 if name == "film_min" else 5e-3), name
         else:
-            target = SHEAR[case[1]] if name == "shear_rate_max" else TARGETS.get(name, 1e-3)
-            assert error < target * abs(value), name
+            assert error < TARGETS.get(name, 1e-3), name
 
 
 def test_error_estimates_are_honest_and_not_timid(comparison):
-    rows = [row for case in comparison.values() for row in case]
-    covered = [error <= estimate + uncertainty for _, error, estimate, uncertainty, _ in rows]
-    ratio = [estimate / max(error, uncertainty, 1e-14) for _, error, estimate, uncertainty, _ in rows]
+    rows = [row for index in range(len(CASES)) for row in comparison(index)]
+    rows = [row for row in rows if row[2] > 0]  # prescribed ones have no error
+    covered = [error <= estimate + uncertainty for _, error, estimate, uncertainty in rows]
+    ratio = [estimate / max(error, uncertainty, 1e-14) for _, error, estimate, uncertainty in rows]
     assert np.mean(covered) >= 0.95
     assert np.median(ratio) < 10
 
 
 def test_reference_is_sharper_than_the_targets():
-    for case in REFERENCE:
-        for name, entry in case["quantities"].items():
-            if not name.startswith("film_min_") and name != "shear_rate_max":
-                assert entry["uncertainty"] < TARGETS.get(name, 1e-3) * abs(entry["value"]), (case["beta"], name)
+    for problem, case in zip(CASES, REFERENCE, strict=True):
+        values = {name: item["value"] for name, item in case["quantities"].items()}
+        for name, item in case["quantities"].items():
+            if name not in (*PLACE, "shear_rate_max"):
+                target = TARGETS.get(name, 1e-3)
+                if problem.parameter > HERTZ_LIMIT:
+                    target = 2e-2 if name == "film_min" else 5e-3
+                assert item["uncertainty"] < target / 2 * yardstick(name, values), (name_of(problem), name)

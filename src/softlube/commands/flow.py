@@ -44,11 +44,12 @@ def flow(which: Which | None = None, *, plot: str, level: float | None = None) -
     r, theta = np.meshgrid(np.linspace(0, 1.2, 481), np.linspace(0, np.pi, 181), indexing="ij")
     sphere, substrate = (float(np.max(np.abs(shear_stress(solution, r, theta, level=wall)[0]))) for wall in (1.0, 0.0))
     console = Console(highlight=False, soft_wrap=True)
-    console.print(f"β = {solution.beta:.5g}, in the frame of the sphere", markup=False)
-    units = ("v |h0| a", "ηv/|h0|")
+    console.print(f"β = {solution.problem.parameter:.5g}, in the frame of the sphere", markup=False)
+    unit = "δ" if solution.problem.load_controlled else "|h0|"
+    units = (f"v {unit} a", f"ηv/{unit}")
     if solution.contact is not None:
-        contact, height = solution.contact, float(solution.dimensional["indentation"])
-        inflow *= contact.speed * height * float(solution.dimensional["contact_radius"])
+        contact, height = solution.contact, solution.contact.unit_height
+        inflow *= contact.speed * height * contact.unit_length
         scale = contact.viscosity * contact.speed / height
         sphere, substrate, units = sphere * scale, substrate * scale, ("m³/s", "Pa")
     console.print(f"flux into the contact r ≤ a over its front half: {inflow:.4g} {units[0]}", markup=False)

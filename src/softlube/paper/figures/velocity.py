@@ -84,7 +84,7 @@ def streamlines(solutions: Solutions) -> Drawn:
     gap = abs(flow.net_flux(solution, 0.9))
     r, theta = np.meshgrid(np.linspace(0, 2, 41), np.linspace(0, np.pi, 37), indexing="ij")
     slips = []
-    for height, speed in ((flow.substrate_height(solution, r, theta), 0.0), (flow.sphere_height(r), 1.0)):
+    for height, speed in ((flow.substrate_height(solution, r, theta), 0.0), (flow.sphere_height(solution, r), 1.0)):
         v_r, v_t = flow.velocity(solution, r, theta, z=height)
         slips.append(float(np.max(np.abs(v_r - speed * np.cos(theta)) + np.abs(v_t + speed * np.sin(theta)))))
     turning = _highest_entering(solution)
