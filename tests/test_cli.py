@@ -83,7 +83,6 @@ def test_output_and_plot(capsys, tmp_path):
     assert str(output) in capsys.readouterr().out
 
 
-@pytest.mark.xfail(reason="the longest description leaves no room for the numbers in eighty columns")
 def test_table_of_a_dimensionless_load_names_its_unit(capsys):
     assert main(["solve", "--beta-load", "2", "--accuracy", "0.01"]) == 0
     out = capsys.readouterr().out
