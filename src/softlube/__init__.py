@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from softlube.problem import Problem
     from softlube.solution import Quantity, Solution
     from softlube.solver import solve
+    from softlube.sweeps import sweep
 
 __version__ = "0.1.0"
 
@@ -33,6 +34,7 @@ _HOME = {
     "Solution": "solution",
     "load": "io",
     "solve": "solver",
+    "sweep": "sweeps",
 }
 
 __all__ = [
@@ -46,6 +48,7 @@ __all__ = [
     "__version__",
     "load",
     "solve",
+    "sweep",
 ]
 
 

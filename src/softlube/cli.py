@@ -32,6 +32,9 @@ app = App(
     version=_version,
 )
 
+# Commands in modules of their own, which are imported when they are called.
+app.command("softlube.cli_sweep:sweep", name="sweep")
+
 _PHYSICAL = Group("Physical contact (text with units, such as '2 mm')", sort_key=1)
 _DIMENSIONLESS = Group("Dimensionless contact", sort_key=2)
 _METHOD = Group("Method", sort_key=3)
