@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
@@ -10,7 +9,7 @@ from cyclopts import Parameter
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from softlube.sweeps import Plan, Progress, Sweep
+    from softlube.sweeps import Progress, Sweep
 
 REASONS = 5
 """Failures told one by one at the end; the table has them all."""
@@ -50,6 +49,7 @@ def sweep(
     """
     from pathlib import Path
 
+    from softlube.cli_progress import Steps
     from softlube.errors import InputError
     from softlube.files import check_destination
     from softlube.sweeps.plan import read_plan
@@ -71,7 +71,13 @@ def sweep(
     for notice in cases.notices:
         _say(f"Note: {notice}.")
 
-    with _Bar(cases) as bar:
+    states: list[Progress] = []
+    with Steps("solving") as steps:
+
+        def show(progress: Progress) -> None:
+            states[:] = [progress]
+            steps.update(progress.done, progress.total, f"{progress.failed} failed" if progress.failed else "")
+
         result = run(
             cases,
             store=store_path,
@@ -79,11 +85,11 @@ def sweep(
             scheduler=scheduler,
             fields=fields is not None,
             retry_failed=retry_failed,
-            progress=bar.update,
+            progress=show,
         )
     save_table(result.table, table_path)
     written = result.save_fields(fields) if fields is not None else []
-    _report(result, bar, table_path, store_path, written)
+    _report(result, states[0], table_path, store_path, written)
     return 3 if result.n_failed == len(result.keys) else 0
 
 
@@ -93,51 +99,10 @@ def _say(text: str) -> None:
     Console(stderr=True, highlight=False, soft_wrap=True).print(text, markup=False)
 
 
-class _Bar:
-    """Progress on the terminal with the time left, on standard error."""
-
-    def __init__(self, plan: Plan) -> None:
-        from rich.console import Console
-        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
-
-        self.last: Progress | None = None  # type: ignore[valid-type]
-        self._bar = Progress(
-            TextColumn("solving"),
-            BarColumn(),
-            MofNCompleteColumn(),
-            TimeElapsedColumn(),
-            TextColumn("left"),
-            TimeRemainingColumn(),
-            TextColumn("{task.fields[failed]}"),
-            console=Console(stderr=True),
-        )
-        self._task = self._bar.add_task("", total=len(plan.cases), failed="")
-
-    def __enter__(self) -> _Bar:
-        self._bar.start()
-        return self
-
-    def __exit__(self, *exception: object) -> None:
-        self._bar.stop()
-
-    @property
-    def update(self) -> Callable[[Progress], None]:
-        """To be given to `softlube.sweep`."""
-
-        def update(progress: Progress) -> None:
-            self.last = progress
-            failed = f"{progress.failed} failed" if progress.failed else ""
-            self._bar.update(self._task, total=progress.total, completed=progress.done, failed=failed)
-
-        return update
-
-
-def _report(result: Sweep, bar: _Bar, table: Path, store: Path, written: list[Path]) -> None:
+def _report(result: Sweep, last: Progress, table: Path, store: Path, written: list[Path]) -> None:
     from rich.console import Console
 
     console = Console(highlight=False, soft_wrap=True)
-    last = bar.last
-    assert last is not None
     console.print(
         f"{len(result.keys)} cases, {last.total} different problems: {last.found} were in the store, "
         f"{last.total - last.found} solved now. {result.n_failed} cases failed.",
@@ -148,7 +113,9 @@ def _report(result: Sweep, bar: _Bar, table: Path, store: Path, written: list[Pa
         if result.outcomes[key].failed:
             reasons.setdefault(result.outcomes[key].reason, []).append(number)
     for reason, numbers in list(reasons.items())[:REASONS]:
-        console.print(f"  case {', '.join(map(str, numbers[:REASONS]))}{', …' if len(numbers) > REASONS else ''}: {reason}", markup=False)
+        console.print(
+            f"  case {', '.join(map(str, numbers[:REASONS]))}{', …' if len(numbers) > REASONS else ''}: {reason}", markup=False
+        )
     if len(reasons) > REASONS:
         console.print(f"  and {len(reasons) - REASONS} other reasons; the table has them.", markup=False)
     files = [str(table), str(store), *([f"{len(written)} NetCDF files in {written[0].parent}"] if written else [])]

@@ -32,9 +32,9 @@ ALIASES = {
     "friction_force": "friction",
 }
 """Other headers for the same thing."""
-DIMENSIONLESS = frozenset({"beta", "beta_load", "slide_to_roll"})
+DIMENSIONLESS = frozenset({"beta", "beta_load", "slide_to_roll", "friction_coefficient"})
 """Columns that take no unit."""
-SIGNED = frozenset({"friction"})
+SIGNED = frozenset({"friction", "friction_coefficient"})
 """Columns that may be negative: a drift of the force sensor can take a small friction below zero."""
 FEW = 5
 """Lines named one by one in a notice."""
@@ -99,8 +99,8 @@ def read_table(
     Raises
     ------
     InputError
-        If the file cannot be read, a column or its unit is missing or wrong, or a cell is no number or not positive; the message
-        names file, line and column.
+        If the file cannot be read, a column or its unit is missing or wrong, or a cell is no number or not positive; the
+        message names file, line and column.
     """
     path = Path(path)
     lines = _content(path, _text(path))
@@ -185,7 +185,9 @@ def _rows(
     again: list[int] = []
     width = len(header)
     for number, line in lines:
-        cells = line.split(separator) if '"' not in line else next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+        cells = (
+            line.split(separator) if '"' not in line else next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+        )
         if len(cells) != width:
             while len(cells) > width and not cells[-1].strip():  # separators at the end of a line
                 cells.pop()
@@ -230,7 +232,9 @@ def _columns(
             continue
         if not unit:
             example = KINDS[name][1].split()[-1].strip("'")
-            raise InputError(f"{path.name}, line {line}: {name} has no unit; expected one in the header, as in '{name} [{example}]'")
+            raise InputError(
+                f"{path.name}, line {line}: {name} has no unit; expected one in the header, as in '{name} [{example}]'"
+            )
         try:
             found[name] = index, unit_factor(name, unit)
         except InputError:

@@ -1,7 +1,7 @@
 """Where problems are solved: processes of this machine, or the workers of a Dask cluster.
 
-Both offer lanes, each of which solves one problem at a time in one process and keeps there the elastic operators of the grids it
-has met.  `softlube.sweeps.run` gives every lane neighbouring β.
+Both offer lanes, each of which solves one problem at a time in one process and keeps there the elastic operators of the grids
+it has met.  `softlube.sweeps.run` gives every lane neighbouring β.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from softlube.errors import InputError
 from softlube.problem import Problem
 from softlube.sweeps.work import Outcome, solve_one, solver_version
 
-ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")}
+ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1")
 """Environment of a worker: as many processes as cores leave no core for a second thread of the linear algebra."""
 JOIN_TIMEOUT = 30.0
 """Seconds to wait for a scheduler, and for its first worker."""
@@ -50,8 +50,8 @@ def cores() -> int:
 class Local:
     """Processes of this machine, each with one thread; started when first used, replaced when they die.
 
-    loky starts them: unlike the standard library's, its workers need no ``if __name__ == "__main__"`` in the caller's script, and
-    end by themselves when the caller is killed.
+    loky starts them: unlike the standard library's, its workers need no ``if __name__ == "__main__"`` in the caller's script,
+    and end by themselves when the caller is killed.
     """
 
     def __init__(self, workers: int | None = None) -> None:
@@ -108,7 +108,9 @@ class Dask:
             self._client = Client(address, timeout=JOIN_TIMEOUT, set_as_default=False)
         except (OSError, ValueError) as error:
             reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-            raise InputError(f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786") from None
+            raise InputError(
+                f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786"
+            ) from None
         try:
             self._client.wait_for_workers(1, timeout=JOIN_TIMEOUT)
             versions = self._client.run(solver_version)
@@ -121,7 +123,9 @@ class Dask:
         others = set(versions.values()) - {solver_version()}
         if others:
             self._client.close()
-            raise InputError(f"scheduler: a worker has softlube {others.pop()}, and this is {solver_version()}: install the same")
+            raise InputError(
+                f"scheduler: a worker has softlube {others.pop()}, and this is {solver_version()}: install the same"
+            )
         self._count = 0
 
     def lanes(self) -> list[Hashable]:

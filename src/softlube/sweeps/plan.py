@@ -66,8 +66,9 @@ class Case:
             problem = Problem(**inputs)  # type: ignore[arg-type]
         else:
             problem = Contact(**inputs).problem()  # type: ignore[arg-type]
-        name = "beta_load" if problem.load_controlled else "beta"
-        return cls(dict(inputs), replace(problem, **{name: float(f"{problem.parameter:.{DIGITS}g}")}))
+        beta = float(f"{problem.parameter:.{DIGITS}g}")
+        rounded = replace(problem, beta_load=beta) if problem.load_controlled else replace(problem, beta=beta)
+        return cls(dict(inputs), rounded)
 
     @property
     def contact(self) -> Contact | None:
@@ -162,13 +163,14 @@ def read_plan(path: str | os.PathLike[str]) -> Plan:
     path = Path(path)
     try:
         text = path.read_bytes().decode("utf-8-sig")
-        content = tomllib.loads(text)
     except FileNotFoundError:
         raise InputError(f"plan: {str(path)!r} does not exist") from None
     except OSError as error:
         raise InputError(f"plan: {str(path)!r} cannot be read ({error.strerror})") from None
     except UnicodeDecodeError:
         raise InputError(f"{path.name}: not UTF-8 text; expected a plan in TOML") from None
+    try:
+        content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path.name}, {_place(str(error), text)}: no TOML: {str(error).split(' (at')[0]}") from None
     settings = content.pop("sweep", {})
@@ -274,7 +276,7 @@ def _range(name: str, given: Mapping[str, Any]) -> list[Value]:
         raise InputError(f"{name}: count: expected a whole number from 2 to {MOST_CASES}, got {count!r}")
     if spacing not in SPACINGS:
         raise InputError(f"{name}: spacing: expected 'log' or 'linear', got {spacing!r}")
-    low, high = (_value(name, given[end]) for end in ("from", "to"))
+    low, high = (float(_value(name, given[end])) for end in ("from", "to"))
     return [float(value) for value in SPACINGS[spacing](low, high, count)]
 
 
@@ -294,7 +296,8 @@ def _combined(axes: Sequence[Axis], combine: str) -> Iterator[tuple[dict[str, Va
     if count > MOST_CASES:
         name = next(iter(max(axes, key=lambda axis: len(axis.rows)).rows[0]))
         raise InputError(
-            f"{name}: the plan has {count} cases and a sweep takes {MOST_CASES} at most: thin it out, or fit or interpolate instead"
+            f"{name}: the plan has {count} cases and a sweep takes {MOST_CASES} at most; "
+            "thin it out, or take a Stribeck curve or a fit, which interpolate"
         )
     for indices in tuples:
         row: dict[str, Value] = {}

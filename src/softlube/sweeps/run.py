@@ -166,8 +166,8 @@ def sweep(
     Raises
     ------
     InputError
-        If the plan, the store or the scheduler is not as it should be.  A case that cannot be solved raises nothing: it is a row
-        of the table that says why.
+        If the plan, the store or the scheduler is not as it should be.  A case that cannot be solved raises nothing: it is a
+        row of the table that says why.
 
     Examples
     --------
@@ -283,4 +283,3 @@ class _Run:
     def _report(self) -> None:
         if self.progress is not None:
             self.progress(Progress(len(self.problems), self.done, self.found, self.failed))
-

@@ -1,8 +1,8 @@
 """The store of a sweep: every finished problem at once on disk, under a key made of its content.
 
-SQLite with a write-ahead log.  A transaction is there whole or not at all, whenever the process is killed, and several processes
-may read and write at once.  A process that solves a problem says so (a claim), so that another that works on the same store does
-not solve it, too; the claims of the dead lapse.
+SQLite with a write-ahead log.  A transaction is there whole or not at all, whenever the process is killed, and several
+processes may read and write at once.  A process that solves a problem says so (a claim), so that another that works on the same
+store does not solve it, too; the claims of the dead lapse.
 """
 
 from __future__ import annotations
@@ -118,7 +118,8 @@ class Store:
         found: dict[str, Outcome] = {}
         for key in keys:
             row = self._connection.execute(
-                f"SELECT reason, beta, beta_load, quantities, {'fields' if fields else 'NULL'} FROM outcomes WHERE key = ?", (key,)
+                f"SELECT reason, beta, beta_load, quantities, {'fields' if fields else 'NULL'} FROM outcomes WHERE key = ?",
+                (key,),
             ).fetchone()
             if row is not None:
                 found[key] = _outcome(row)
@@ -131,7 +132,8 @@ class Store:
         return {
             key
             for key, status, has_fields in rows
-            if key in wanted and ((status == "done" and (has_fields or not fields)) or (status == "failed" and not retry_failed))
+            if key in wanted
+            and ((status == "done" and (has_fields or not fields)) or (status == "failed" and not retry_failed))
         }
 
     def save(self, key: str, problem: Problem, accuracy: float, solver: str, outcome: Outcome) -> None:

@@ -1,0 +1,43 @@
+"""Progress of a longer command on the terminal, on standard error."""
+
+from __future__ import annotations
+
+
+class Steps:
+    """A bar with the time left, for work of so many steps; usable as a context.
+
+    Parameters
+    ----------
+    title : str
+        What is being done.
+    quiet : bool
+        Show nothing.
+    """
+
+    def __init__(self, title: str, *, quiet: bool = False) -> None:
+        from rich import progress
+        from rich.console import Console
+
+        self._bar = progress.Progress(
+            progress.TextColumn("{task.description}"),
+            progress.BarColumn(),
+            progress.MofNCompleteColumn(),
+            progress.TimeElapsedColumn(),
+            progress.TextColumn("left"),
+            progress.TimeRemainingColumn(),
+            progress.TextColumn("{task.fields[note]}"),
+            console=Console(stderr=True, quiet=quiet),
+            transient=True,
+        )
+        self._task = self._bar.add_task(title, total=None, note="")
+
+    def __enter__(self) -> Steps:
+        self._bar.start()
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self._bar.stop()
+
+    def update(self, done: int, total: int, note: str = "") -> None:
+        """So many steps of so many are done."""
+        self._bar.update(self._task, completed=done, total=total, note=note)
