@@ -176,7 +176,7 @@ def _report(table: pandas.DataFrame, files: list[str]) -> None:
             grid.add_row(*(("-" if cell == "nan" else cell) for cell in cells))
         console.print(grid, soft_wrap=False)
     console.print(
-        "Friction: coefficient, with errors in the table of --output. Speed: mean of both surfaces. Least: thinnest film."
+        "Speed: mean of both surfaces. Friction: coefficient. Least: thinnest film. Errors: see --output."
     )
     beyond = int(table["friction [N]"].isna().sum())
     if beyond:

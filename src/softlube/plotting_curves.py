@@ -89,7 +89,7 @@ def _residuals(ax: Axes, found: Fit) -> None:
     ax.axhline(0, color="black", lw=0.8)
     for side in (-2, 2):
         ax.axhline(side * percent * found.scatter, color="black", lw=0.8, ls=":")
-    label = "measured over model − 1 [%]" if percent == 100 else "(measured − model) over median friction"
+    label = "ln(measured/model) [%]" if percent == 100 else "(measured − model) over median friction"
     ax.set(xscale="log", xlabel=r"$\beta$", ylabel=label)
     ax.set_title("dotted: twice the scatter", loc="right", fontsize=7)
 
@@ -120,7 +120,7 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
             friction.plot(rows[column], coefficient, color=colour, lw=1.2, label=f"{1e3 * float(str(load)):.4g} mN")
             film.plot(rows[column], 1e9 * rows["film_center [m]"], color=colour, lw=1.2)
             film.plot(rows[column], 1e9 * rows["film_min [m]"], "--", color=colour, lw=1.2)
-            if "lambda" in rows:
+            if "lambda" in rows and not number:
                 height = float((rows["film_min [m]"] / rows["lambda"]).dropna().iloc[0])
                 film.axhline(3e9 * height, color="0.5", lw=0.8, ls=":")
         friction.set(xscale="log", yscale="log", xlabel=label, ylabel="friction coefficient (magnitude)")
