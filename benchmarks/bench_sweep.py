@@ -1,7 +1,7 @@
 """What a sweep takes, alone, killed and on a cluster: 500 cases, ten loads by fifty speeds over three decades.
 
     python benchmarks/bench_sweep.py time            # wall time on two processes
-    python benchmarks/bench_sweep.py kill --kills 20 # SIGKILL at random moments, resumed each time, against an uninterrupted run
+    python benchmarks/bench_sweep.py kill --kills 20 # SIGKILL at random moments, resumed each time
     python benchmarks/bench_sweep.py dask            # one and two worker processes; one of two killed midway
 
 --cases makes the sweep smaller.  Each part ends with an error if the tables differ.
@@ -95,10 +95,15 @@ class Cluster:
         environment = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
         def start(what: str, *arguments: str) -> subprocess.Popen:
-            command = [sys.executable, "-m", f"distributed.cli.dask_{what}", *arguments, "--scheduler-file", str(self.address_file)]
-            return subprocess.Popen(
-                command, env=environment, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-            )
+            command = [
+                sys.executable,
+                "-m",
+                f"distributed.cli.dask_{what}",
+                *arguments,
+                "--scheduler-file",
+                str(self.address_file),
+            ]
+            return subprocess.Popen(command, env=environment, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
         self.processes = [start("scheduler", "--port", "0", "--no-dashboard", "--host", "127.0.0.1")]
         while not self.address_file.exists():
@@ -133,7 +138,15 @@ def dask(folder: Path, path: Path) -> None:
         print(f"Dask, {workers} worker(s): {times[workers]:.1f} s", flush=True)
     print(f"parallel efficiency {times[1] / (2 * times[2]):.2f}")
     cluster = Cluster(2, folder)
-    arguments = [str(path), "--store", str(folder / "shot.sweep"), "--output", str(folder / "shot.csv"), "--scheduler", cluster.address]
+    arguments = [
+        str(path),
+        "--store",
+        str(folder / "shot.sweep"),
+        "--output",
+        str(folder / "shot.csv"),
+        "--scheduler",
+        cluster.address,
+    ]
     process = subprocess.Popen([*COMMAND, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     time.sleep(times[2] / 2)
     cluster.workers[1].kill()

@@ -32,12 +32,13 @@ class Steps:
         self._task = self._bar.add_task(title, total=None, note="")
 
     def __enter__(self) -> Steps:
-        self._bar.start()
         return self
 
     def __exit__(self, *exception: object) -> None:
-        self._bar.stop()
+        if self._bar.live.is_started:
+            self._bar.stop()
 
     def update(self, done: int, total: int, note: str = "") -> None:
         """So many steps of so many are done."""
+        self._bar.start()  # only now: what is refused before leaves no trace on the terminal
         self._bar.update(self._task, completed=done, total=total, note=note)

@@ -143,8 +143,13 @@ def stribeck(
 
         plot_stribeck(table, plot, against=against)
     if as_json:
-        # pandas writes nan as null, which JSON has, and json would write NaN, which it has not.
-        print(table.to_json(orient="records", double_precision=15), flush=True)
+        import json
+
+        # nan, where nothing could be solved, becomes null: JSON has no nan.
+        rows = [
+            {name: None if value != value else value for name, value in row.items()} for row in table.to_dict(orient="records")
+        ]
+        print(json.dumps(rows, allow_nan=False), flush=True)
     else:
         _report(table, [path for path in (output, plot) if path is not None])
     return 0
@@ -175,9 +180,7 @@ def _report(table: pandas.DataFrame, files: list[str]) -> None:
             ]
             grid.add_row(*(("-" if cell == "nan" else cell) for cell in cells))
         console.print(grid, soft_wrap=False)
-    console.print(
-        "Speed: mean of both surfaces. Friction: coefficient. Least: thinnest film. Errors: see --output."
-    )
+    console.print("Speed: mean of both surfaces. Friction: coefficient. Least: thinnest film. Errors: see --output.")
     beyond = int(table["friction [N]"].isna().sum())
     if beyond:
         console.print(f"{beyond} of {len(table)} speeds are beyond what can be solved (-).")

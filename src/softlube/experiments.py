@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
 
 from softlube.errors import InputError, SoftlubeError
+from softlube.fit_checks import HoldOut, check_held_out, order_of_residuals
 from softlube.friction_model import Model, make_model, normalised_friction, solve_model
 from softlube.intervals import Estimate, Step, bootstrap, profile
 from softlube.master import FORCES
@@ -29,28 +29,6 @@ DOUBTFUL = 0.01
 LARGE = 100_000
 """Rows above which the fit is not repeated for other forces and regions."""
 OTHER_REGIONS = (1.0, 2.0, 5.0)
-
-
-@dataclass(frozen=True)
-class HoldOut:
-    """The fit against rows that it has not seen.
-
-    Attributes
-    ----------
-    lines : tuple of int
-        The rows.
-    scatter : float
-        Root mean square of their residuals.
-    covered : float
-        Fraction of them within the range predicted at the confidence of the fit.
-    probability : float
-        Of so large a scatter by chance (F test against the scatter of the fit).
-    """
-
-    lines: tuple[int, ...]
-    scatter: float
-    covered: float
-    probability: float
 
 
 @dataclass(frozen=True)
@@ -73,8 +51,8 @@ class Fit:
     confidence : float
     interval : {"profile", "bootstrap"}
     robust : bool
-    trend : float
-        Probability that residuals as ordered along β as these come by chance.
+    trend : tuple of str and float
+        Along what the residuals are most ordered (beta, load, speed or friction), and the probability of that by chance.
     hold_out : HoldOut or None
     region : float or str
         Where the friction was counted.
@@ -92,7 +70,7 @@ class Fit:
     confidence: float
     interval: str
     robust: bool
-    trend: float
+    trend: tuple[str, float]
     hold_out: HoldOut | None
     region: str | float
     others: Mapping[tuple[str, float], float]
@@ -130,7 +108,7 @@ class Fit:
             "force": self.model.force,
             "region": self.region,
             "beta": [float(self.beta.min()), float(self.beta.max())],
-            "trend_probability": self.trend,
+            "trend": {"along": self.trend[0], "probability": end(self.trend[1])},
             "hold_out": None if self.hold_out is None else vars(self.hold_out) | {"lines": list(self.hold_out.lines)},
             "viscosity_otherwise": [{"force": f, "region": r, "viscosity": v} for (f, r), v in self.others.items()],
             "verdicts": list(self.verdicts),
@@ -263,8 +241,8 @@ def fit(
         confidence=confidence,
         interval=interval,
         robust=robust,
-        trend=_trend(model.beta(values), residuals),
-        hold_out=None if held is None else _hold_out(model, values, held, scatter, freedom, confidence),
+        trend=order_of_residuals(model, values, residuals),
+        hold_out=None if held is None else check_held_out(model, values, held, scatter, freedom, confidence),
         region=region,
         others=_others(model, region, robust, values) if compared else {},
     )
@@ -273,35 +251,6 @@ def fit(
 def _correlation(covariance: Array) -> Array:
     deviations = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
     return covariance / np.outer(deviations, deviations)
-
-
-def _trend(beta: Array, residuals: Array) -> float:
-    """Probability of the residuals' order along β, by the runs of equal sign (Wald & Wolfowitz)."""
-    signs = residuals[np.argsort(beta, kind="stable")] > np.median(residuals)
-    above, below = int(signs.sum()), int((~signs).sum())
-    if min(above, below) < 5:
-        return math.nan
-    runs = 1 + int(np.count_nonzero(signs[1:] != signs[:-1]))
-    mean = 1 + 2 * above * below / (above + below)
-    variance = (mean - 1) * (mean - 2) / (above + below - 1)
-    return float(stats.norm.cdf((runs + 0.5 - mean) / math.sqrt(variance)))
-
-
-def _hold_out(
-    model: Model, values: Mapping[str, float], held: Measurements, scatter: float, freedom: int, confidence: float
-) -> HoldOut:
-    if model.noise == "relative" and np.any(held.friction <= 0):
-        line = held.lines[int(np.argmax(held.friction <= 0))]
-        raise InputError(f"{held.source}, line {line}: the friction is not positive; leave the row out or take noise absolute")
-    residuals = model.residuals(dict(values), held)
-    mean_square = float(np.mean(residuals**2))
-    limit = stats.t.ppf((1 + confidence) / 2, freedom) * scatter
-    return HoldOut(
-        tuple(int(line) for line in held.lines),
-        math.sqrt(mean_square),
-        float(np.mean(np.abs(residuals) <= limit)),
-        float(stats.f.sf(mean_square / max(scatter, 1e-300) ** 2, len(held), freedom)),
-    )
 
 
 def _others(model: Model, region: str | float, robust: bool, values: dict[str, float]) -> dict[tuple[str, float], float]:
@@ -321,6 +270,12 @@ def verdicts(found: Fit) -> tuple[str, ...]:
     """Whether the data determine the parameters, in sentences."""
     low, high = float(found.beta.min()), float(found.beta.max())
     result = [f"The data span beta = {low:.3g} to {high:.3g}, {math.log10(high / low):.1f} decades."]
+    master = found.model.master
+    if master is not None and high > master.high:
+        result.append(
+            f"{int((found.beta > master.high).sum())} rows lie above beta = {master.high:.3g}, up to which the curve was "
+            "solved; it goes on there with its last slope."
+        )
     for name, estimate in found.estimates.items():
         if estimate.determined:
             continue
@@ -339,9 +294,10 @@ def verdicts(found: Fit) -> tuple[str, ...]:
             result.append(text + ".")
     if all(estimate.determined for estimate in found.estimates.values()):
         result.append("The data determine " + ", ".join(names) + f" within the interval{'s' if len(names) > 1 else ''} stated.")
-    if found.trend < DOUBTFUL:
+    along, probability = found.trend
+    if probability < DOUBTFUL:
         result.append(
-            f"The residuals are ordered along beta (probability by chance {found.trend:.1g}): the model, or a "
+            f"The residuals are ordered along the {along} (probability by chance {probability:.1g}): the model, or a "
             "parameter that is held, does not describe the data, and the intervals are too narrow."
         )
     held = found.hold_out

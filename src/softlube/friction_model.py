@@ -31,6 +31,8 @@ ACCURACY = 5e-3
 ROBUST_ROUNDS = 3
 ROOM = 4.0
 """How far, as a factor of β, the curve reaches beyond the data at first."""
+BEYOND = 3.0
+"""Factor of β by which rows may lie above what could be solved: the curve is all but straight there, in logarithms."""
 ROUNDS = 4
 """Times that the curve is widened to where the fit has led."""
 PAPER_FIT = (4.806, 0.4398)
@@ -92,13 +94,24 @@ class Model:
         return 2 * math.pi / 3 * shear_modulus * (3 * load / (16 * shear_modulus * math.sqrt(self.radius))) ** (4 / 3)
 
     def friction(self, values: dict[str, float], data: Measurements | None = None) -> Array:
-        """Friction force [N].  Beyond the ends of the curve it goes on as a power law, so that a search does not fall off."""
+        """Friction force [N].  Beyond the ends of the curve it goes on with its last slope, so that a search does not fall
+        off.
+        """
         assert self.master is not None
         beta = self.beta(values, data)
-        inside = np.clip(beta, self.master.low, self.master.high)
+        low, high = self.master.low, self.master.high
+        inside = np.clip(beta, low, high)
         rolls = (data or self.data).slide_to_roll
-        curve_values = self.master.friction(inside, force=self.force, slide_to_roll=rolls)
-        return self.unit(values, data) * curve_values * (beta / inside) ** -PAPER_FIT[1] + values["friction_offset"]
+        normalised = self.master.friction(inside, force=self.force, slide_to_roll=rolls)
+        for end, inner in ((low, 1.1 * low), (high, high / 1.1)):
+            beyond = beta < low if end == low else beta > high
+            if beyond.any():
+                at_end, further_in = (
+                    self.master.friction(b, force=self.force, slide_to_roll=rolls[beyond]) for b in (end, inner)
+                )
+                slope = np.log(np.abs(at_end / further_in)) / math.log(end / inner)
+                normalised[beyond] *= (beta[beyond] / end) ** slope
+        return self.unit(values, data) * normalised + values["friction_offset"]
 
     def residuals(self, values: dict[str, float], data: Measurements | None = None) -> Array:
         """ln(measured/model) for relative noise, else (measured − model)/`scale`."""
@@ -211,8 +224,8 @@ def solve_model(
         optimum = optimise(model, values, robust=robust)
         values = model.values(optimum.x)
         assert model.master is not None
-        low, high, beta = model.master.low, model.master.high, model.beta(values)
-        if low <= beta.min() and beta.max() <= high:
+        low, high, beta = model.master.low, BEYOND * model.master.high, model.beta(values)
+        if low <= beta.min() and beta.max() <= (high if not remaining else model.master.high):
             return model, optimum
         if not remaining:
             row = int(np.argmin(beta) if beta.min() < low else np.argmax(beta))

@@ -25,7 +25,9 @@ def test_a_cluster_gives_the_same_table(tmp_path):
     assert on_cluster.table["status"].tolist() == ["done", "done", "done", "failed"]
 
 
-@pytest.mark.parametrize(("address", "message"), [("nonsense", "cannot reach 'nonsense'"), ("tcp://127.0.0.1:9", "cannot reach")])
+@pytest.mark.parametrize(
+    ("address", "message"), [("nonsense", "cannot reach 'nonsense'"), ("tcp://127.0.0.1:9", "cannot reach")]
+)
 def test_no_scheduler_there(address, message, monkeypatch):
     monkeypatch.setattr("softlube.sweeps.executors.JOIN_TIMEOUT", 2.0)
     with pytest.raises(softlube.InputError, match=message):
@@ -39,7 +41,15 @@ def test_a_worker_killed_midway(tmp_path):
     file = tmp_path / "scheduler.json"
 
     def start(what, *options):
-        command = [sys.executable, "-m", f"distributed.cli.dask_{what}", "--scheduler-file", str(file), "--no-dashboard", *options]
+        command = [
+            sys.executable,
+            "-m",
+            f"distributed.cli.dask_{what}",
+            "--scheduler-file",
+            str(file),
+            "--no-dashboard",
+            *options,
+        ]
         return subprocess.Popen(command, cwd=tmp_path)
 
     processes = [start("scheduler", "--port", "0", "--host", "127.0.0.1")]

@@ -135,8 +135,8 @@ def make_plan(
     """
     if combine not in COMBINATIONS:
         raise InputError(f"combine: expected 'product' or 'zip', got {combine!r}")
-    if isinstance(accuracy, bool) or not isinstance(accuracy, (int, float)) or not 0 < accuracy < 1:
-        raise InputError(f"accuracy: expected a number between 0 and 1 such as 1e-3, got {accuracy!r}")
+    if isinstance(accuracy, bool) or not isinstance(accuracy, (int, float)) or not 0 < accuracy <= 0.1:
+        raise InputError(f"accuracy: expected a number up to 0.1 such as 1e-3, got {accuracy!r}")
     for name in parameters:
         if name not in PARAMETERS:
             raise InputError(f"{name}: no parameter of a contact; expected one of {', '.join(PARAMETERS)}")

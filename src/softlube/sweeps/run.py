@@ -186,12 +186,16 @@ def sweep(
         key = content_key(case.problem, plan.accuracy)
         problems.setdefault(key, case.problem)
         keys.append(key)
-    with Store(":memory:" if store is None else store) as kept:
-        run = _Run(plan.accuracy, problems, kept, fields, retry_failed, progress)
-        if run.pending:
-            with_executor: Executor = Local(workers) if scheduler is None else Dask(scheduler)
-            run.go(with_executor)
-        return Sweep(plan, tuple(keys), kept.outcomes(problems, fields=fields))
+    # Before the store: what is refused leaves no file behind.
+    executor: Executor = Local(workers) if scheduler is None else Dask(scheduler)
+    finished = False
+    try:
+        with Store(":memory:" if store is None else store) as kept:
+            _Run(plan.accuracy, problems, kept, fields, retry_failed, progress).go(executor)
+            finished = True
+            return Sweep(plan, tuple(keys), kept.outcomes(problems, fields=fields))
+    finally:
+        executor.close(wait=finished)
 
 
 class _Run:
@@ -225,22 +229,16 @@ class _Run:
 
     def go(self, executor: Executor) -> None:
         """Solve all that is pending."""
-        ended = False
-        try:
-            while self.pending or self.flying or self.theirs:
-                self._fill(executor)
-                if self.flying:
-                    finished = wait(self.flying, timeout=BEAT, return_when=FIRST_COMPLETED).done
-                    for future in finished:
-                        self._land(future)
-                else:
-                    time.sleep(BEAT / 2)
-                if time.monotonic() - self.renewed > LEASE / 6:
-                    self.store.renew()
-                    self.renewed = time.monotonic()
-            ended = True
-        finally:
-            executor.close(wait=ended)
+        while self.pending or self.flying or self.theirs:
+            self._fill(executor)
+            if self.flying:
+                for future in wait(self.flying, timeout=BEAT, return_when=FIRST_COMPLETED).done:
+                    self._land(future)
+            else:
+                time.sleep(BEAT / 2)
+            if time.monotonic() - self.renewed > LEASE / 6:
+                self.store.renew()
+                self.renewed = time.monotonic()
 
     def _fill(self, executor: Executor) -> None:
         """A problem for every lane that has none."""
