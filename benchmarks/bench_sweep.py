@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import os
 import random
+import resource
 import shutil
 import signal
 import subprocess
@@ -36,6 +37,12 @@ def plan(folder: Path, cases: int) -> Path:
     path = folder / "plan.toml"
     path.write_text(PLAN.format(speeds=max(cases // 10, 2)), encoding="utf-8")
     return path
+
+
+def processor() -> float:
+    """Seconds of processor time of all processes that have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def run(path: Path, store: str, table: str, *options: str) -> float:
@@ -169,7 +176,11 @@ def main() -> None:
     try:
         path = plan(folder, options.cases)
         if options.part == "time":
-            print(f"{options.cases} cases: {run(path, 'a.sweep', 'a.csv', '--workers', str(options.workers)):.1f} s")
+            wall = run(path, "a.sweep", "a.csv", "--workers", str(options.workers))
+            load = os.getloadavg()[0]
+            print(
+                f"{options.cases} cases: {wall:.1f} s of wall time, {processor():.1f} s of processor time; load average {load:.1f}"
+            )
         elif options.part == "kill":
             kill(folder, path, options.kills, options.workers)
         else:

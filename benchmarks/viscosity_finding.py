@@ -2,8 +2,8 @@
 
     python benchmarks/viscosity_finding.py
 
-Synthetic friction without noise, of a liquid of 2 Pa s at the loads and speeds of the paper's section 3.5, is made under one assumption and
-fitted under another: the shear on the sphere within two contact radii, which is what Eq. (28) is.
+Synthetic friction without noise, of a liquid of 2 Pa s at the loads and speeds of the paper (section 3.5), is made under one
+assumption and fitted under another: the shear on the sphere within two contact radii, which is what Eq. (28) is.
 """
 
 from __future__ import annotations

@@ -68,6 +68,7 @@ def test_viscosity_and_modulus_together_are_tied_and_said_to_be(clean):
     assert not found.estimates["young_modulus"].determined
     assert any("Correlation of viscosity and young_modulus" in text and "together" in text for text in found.verdicts)
     assert any("do not determine young_modulus" in text for text in found.verdicts)
+    assert found.others == {}
     one = fit(noisy(clean, 29), **KNOWN, compare=False)
     assert one.estimates["viscosity"].determined
     assert any(text.startswith("The data determine viscosity") for text in one.verdicts)
@@ -90,6 +91,9 @@ def test_an_offset_is_found(clean):
         estimate = found.estimates[name]
         assert estimate.low <= truth <= estimate.high, name
     assert found.estimates["friction_offset"].low > 0
+    assert not any("do not call for an offset" in text for text in found.verdicts)
+    needless = fit(noisy(clean, 3, 0.02), **KNOWN, free=("viscosity", "offset"), compare=False)
+    assert any("do not call for an offset" in text for text in needless.verdicts)
     ignored = fit(shifted, **KNOWN, compare=False)
     assert ignored.trend[1] < 0.01
     assert any("ordered along the" in text for text in ignored.verdicts)

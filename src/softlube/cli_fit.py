@@ -8,6 +8,7 @@ from cyclopts import Group, Parameter
 
 if TYPE_CHECKING:
     from softlube.experiments import Fit
+    from softlube.intervals import Estimate
 
 _RIG = Group("Rig and liquid (give what is known; a parameter that is fitted may be given to start from)", sort_key=1)
 _FIT = Group("Fit", sort_key=2)
@@ -81,8 +82,7 @@ def fit(
     """
     import json
 
-    from rich.console import Console
-
+    from softlube.cli_progress import Steps
     from softlube.errors import InputError
     from softlube.files import check_destination, whole_file
 
@@ -104,7 +104,7 @@ def fit(
     from softlube.measurements import read_measurements
 
     measured = read_measurements(data, slide_to_roll=slide_to_roll)
-    with Console(stderr=True, quiet=as_json).status("fitting", spinner="dots") as status:
+    with Steps("fitting", quiet=as_json) as steps:
         found = run(
             measured,
             radius=radius,
@@ -119,7 +119,7 @@ def fit(
             seed=seed,
             force=force,
             region=parse_region(region),
-            progress=status.update,
+            progress=steps.step,
         )
         if plot is not None:
             found.plot(plot)
@@ -134,9 +134,20 @@ def fit(
     return 0
 
 
-def _report(found: Fit, files: list[str]) -> None:
+def _rounded(estimate: Estimate) -> tuple[str, str, str]:
+    """Value and ends as text, with two digits more than the interval leaves open."""
     import math
 
+    ends = (estimate.low, estimate.high)
+    width = max((abs(end - estimate.value) for end in ends if math.isfinite(end)), default=0.0)
+    digits = 4
+    if width > 0 and estimate.value:
+        digits = min(max(2 + math.ceil(math.log10(abs(estimate.value) / width)), 3), 12)
+    low, high = (f"{end:.{digits}g}" if math.isfinite(end) else "open" for end in ends)
+    return f"{estimate.value:.{digits}g}", low, high
+
+
+def _report(found: Fit, files: list[str]) -> None:
     from rich import box
     from rich.console import Console
     from rich.table import Table
@@ -151,15 +162,9 @@ def _report(found: Fit, files: list[str]) -> None:
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for column in ("parameter", "value", f"{100 * found.confidence:g} % interval ({found.interval})", "unit"):
         table.add_column(column, no_wrap=True)
-    for name, value in found.values.items():
-        estimate = found.estimates.get(name)
-        if estimate is None:
-            table.add_row(
-                name.replace("_", " "), f"{value:.5g}", "held", {"viscosity": "Pa s", "young_modulus": "Pa"}.get(name, "N")
-            )
-            continue
-        low, high = (f"{end:.4g}" if math.isfinite(end) else "open" for end in (estimate.low, estimate.high))
-        table.add_row(name.replace("_", " "), f"{estimate.value:.5g}", f"{low} to {high}", estimate.unit)
+    for name, estimate in found.estimates.items():
+        value, low, high = _rounded(estimate)
+        table.add_row(name.replace("_", " "), value, f"{low} to {high}", estimate.unit)
     for name in sorted(found.values.keys() - found.estimates.keys()):
         table.add_row(name.replace("_", " "), f"{found.values[name]:.5g}", "held", UNITS[name])
     console.print(table, soft_wrap=False)

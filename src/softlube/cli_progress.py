@@ -38,6 +38,12 @@ class Steps:
         if self._bar.live.is_started:
             self._bar.stop()
 
+    def step(self, what: str, done: int, total: int) -> None:
+        """So much is done of what is being done now; another piece of work starts the clock anew."""
+        if self._bar.tasks[0].description != what:
+            self._bar.reset(self._task, description=what, total=total)
+        self.update(done, total)
+
     def update(self, done: int, total: int, note: str = "") -> None:
         """So many steps of so many are done."""
         self._bar.start()  # only now: what is refused before leaves no trace on the terminal

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from softlube.errors import InputError, SoftlubeError
 from softlube.fit_checks import HoldOut, check_held_out, order_of_residuals
 from softlube.friction_model import Model, make_model, normalised_friction, solve_model
-from softlube.intervals import Estimate, Step, bootstrap, profile
+from softlube.intervals import Estimate, Step, bootstrap, profile, silent
 from softlube.master import FORCES
 from softlube.measurements import Measurements, read_measurements
 
@@ -170,7 +170,7 @@ def fit(
     compare : bool
         Whether to repeat the fit for the other forces and regions.
     progress : callable, optional
-        Called with a line of text.
+        Called with what is being done, how much of it is, and of how much.
 
     Returns
     -------
@@ -183,7 +183,7 @@ def fit(
     NotConvergedError
         If the fit fails, or leads to contacts that cannot be solved.
     """
-    say = progress or (lambda text: None)
+    say = progress or silent
     interval = interval or ("bootstrap" if robust else "profile")
     if interval not in INTERVALS:
         raise InputError(f"interval: expected one of {', '.join(INTERVALS)}, got {interval!r}")
@@ -216,7 +216,7 @@ def fit(
     )
 
     def solving(done: int, total: int) -> None:
-        say(f"master curve: solution {done} of {total}")
+        say("master curve", done, total)
 
     model, optimum = solve_model(model, region, robust=robust, progress=solving)
     values = model.values(optimum.x)
@@ -228,8 +228,8 @@ def fit(
         covariance = optimum.covariance
     else:
         estimates, covariance = bootstrap(model, optimum, confidence, random, robust, say)
-    say("other forces and regions")
-    compared = compare and "viscosity" in model.free and len(data) <= LARGE
+    # With the modulus free, too, the comparison would show how loosely both are tied to the data, and nothing else.
+    compared = compare and "viscosity" in model.free and "young_modulus" not in model.free and len(data) <= LARGE
     return Fit(
         model=model,
         values=values,
@@ -244,7 +244,7 @@ def fit(
         trend=order_of_residuals(model, values, residuals),
         hold_out=None if held is None else check_held_out(model, values, held, scatter, freedom, confidence),
         region=region,
-        others=_others(model, region, robust, values) if compared else {},
+        others=_others(model, region, robust, values, say) if compared else {},
     )
 
 
@@ -253,16 +253,18 @@ def _correlation(covariance: Array) -> Array:
     return covariance / np.outer(deviations, deviations)
 
 
-def _others(model: Model, region: str | float, robust: bool, values: dict[str, float]) -> dict[tuple[str, float], float]:
+def _others(
+    model: Model, region: str | float, robust: bool, values: dict[str, float], say: Step
+) -> dict[tuple[str, float], float]:
     found: dict[tuple[str, float], float] = {}
-    for force in FORCES[:2]:
-        for other in OTHER_REGIONS:
-            if (force, other) != (model.force, region):
-                try:
-                    again, optimum = solve_model(replace(model, force=force, master=None), other, robust=robust, start=values)
-                    found[force, other] = again.values(optimum.x)["viscosity"]
-                except SoftlubeError:
-                    continue
+    pairs = [(force, other) for force in FORCES[:2] for other in OTHER_REGIONS if (force, other) != (model.force, region)]
+    for number, (force, other) in enumerate(pairs):
+        say("other forces and regions", number, len(pairs))
+        try:
+            again, optimum = solve_model(replace(model, force=force, master=None), other, robust=robust, start=values)
+        except SoftlubeError:  # such as contacts beyond what can be solved: then there is no comparison
+            continue
+        found[force, other] = again.values(optimum.x)["viscosity"]
     return found
 
 
@@ -282,6 +284,9 @@ def verdicts(found: Fit) -> tuple[str, ...]:
         closed = estimate.low > 0 and math.isfinite(estimate.high)
         how = f"spans a factor of {estimate.high / estimate.low:.1f}" if closed else "is open"
         result.append(f"The data do not determine {name}: its {100 * found.confidence:g} % interval {how}.")
+    offset = found.estimates.get("friction_offset")
+    if offset is not None and offset.low <= 0 <= offset.high:
+        result.append("The interval of friction_offset holds zero: the data do not call for an offset.")
     names = found.model.free
     for i, first in enumerate(names):
         for k in range(i + 1, len(names)):

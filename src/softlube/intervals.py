@@ -15,7 +15,13 @@ from softlube.errors import NotConvergedError
 from softlube.friction_model import UNITS, Model, Optimum, optimise
 
 Array = NDArray[np.floating]
-Step = Callable[[str], None]
+Step = Callable[[str, int, int], None]
+"""What is told of the progress: what is being done, how much is, of how much."""
+
+
+def silent(what: str, done: int, total: int) -> None:
+    """Tell nothing."""
+
 
 RESAMPLES = 400
 """Data sets drawn for a bootstrap."""
@@ -42,7 +48,7 @@ class Estimate:
         return self.low < 0 or self.unit == "N" or (self.low > 0 and self.high / self.low < UNDETERMINED)
 
 
-def profile(model: Model, optimum: Optimum, name: str, confidence: float, say: Step = lambda text: None) -> Estimate:
+def profile(model: Model, optimum: Optimum, name: str, confidence: float, say: Step = silent) -> Estimate:
     """Interval of one parameter by the profile of the likelihood, the scatter unknown.
 
     With the parameter held at θ and the others fitted again the sum of squares is S(θ).  The interval holds where
@@ -70,8 +76,8 @@ def profile(model: Model, optimum: Optimum, name: str, confidence: float, say: S
 
     deviation = math.sqrt(max(float(optimum.covariance[k, k]), 1e-12))
     ends: list[float | None] = []
-    for sign in (-1, 1):
-        say(f"interval of {name}")
+    for number, sign in enumerate((-1, 1)):
+        say(f"interval of {name}", number, 2)
         last.update(model.values(best))
         inside, step, end = float(best[k]), 2 * deviation, None
         while end is None and abs(inside - best[k]) < FARTHEST:
@@ -87,13 +93,13 @@ def profile(model: Model, optimum: Optimum, name: str, confidence: float, say: S
 
 
 def bootstrap(
-    model: Model, optimum: Optimum, confidence: float, random: np.random.Generator, robust: bool, say: Step = lambda text: None
+    model: Model, optimum: Optimum, confidence: float, random: np.random.Generator, robust: bool, say: Step = silent
 ) -> tuple[dict[str, Estimate], Array]:
     """Intervals from fits to rows drawn with replacement (percentiles), and the covariance of these fits."""
     found = []
     for number in range(RESAMPLES):
         if number % 20 == 0:
-            say(f"bootstrap: {number} of {RESAMPLES}")
+            say("bootstrap", number, RESAMPLES)
         drawn = replace(model, data=model.data.take(random.integers(len(model.data), size=len(model.data))))
         # The unit of the offset is the median friction of the data, which differs from draw to draw.
         try:
