@@ -178,9 +178,7 @@ def main() -> None:
         if options.part == "time":
             wall = run(path, "a.sweep", "a.csv", "--workers", str(options.workers))
             load = os.getloadavg()[0]
-            print(
-                f"{options.cases} cases: {wall:.1f} s of wall time, {processor():.1f} s of processor time; load average {load:.1f}"
-            )
+            print(f"{options.cases} cases: {wall:.1f} s of wall time, {processor():.1f} s of processor time, load {load:.1f}")
         elif options.part == "kill":
             kill(folder, path, options.kills, options.workers)
         else:

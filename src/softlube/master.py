@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import get_args
 
 import numpy as np
@@ -155,6 +155,10 @@ class Curve:
     nodes: tuple[Node, ...]
     log_beta: Array
 
+    @cached_property
+    def _splines(self) -> dict[str, CubicSpline]:
+        return {name: self._spline(name) for name in ("film_center", "film_min", "couette", "poiseuille")}
+
     def _spline(self, name: str, every: int = 1) -> CubicSpline:
         values = np.array([getattr(node, name) for node in self.nodes])[::every]
         return CubicSpline(self.log_beta[::every], values if name == "poiseuille" else np.log(values))
@@ -162,7 +166,7 @@ class Curve:
     def _at(self, name: str, beta_load: ArrayLike) -> Array:
         beta = np.asarray(beta_load, dtype=float)
         inside = (beta >= self.low) & (beta <= self.high)
-        values = self._spline(name)(np.log(np.where(inside, beta, self.low)))
+        values = self._splines[name](np.log(np.where(inside, beta, self.low)))
         return np.where(inside, values if name == "poiseuille" else np.exp(values), np.nan)
 
     def film_center(self, beta_load: ArrayLike) -> Array:
@@ -201,7 +205,7 @@ class Curve:
         log_beta = np.log(np.clip(np.asarray(beta_load, dtype=float), self.low, self.high))
         solver = np.interp(log_beta, self.log_beta, [node.errors[column] for node in self.nodes])
         between = self.log_beta[1:-1:2]
-        missed = np.abs(self._spline(name, every=2)(between) - self._spline(name)(between)) / 8
+        missed = np.abs(self._spline(name, every=2)(between) - self._splines[name](between)) / 8
         return np.where(np.isnan(self._at(name, beta_load)), np.nan, solver + np.interp(log_beta, between, missed))
 
 

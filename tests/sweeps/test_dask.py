@@ -34,6 +34,22 @@ def test_no_scheduler_there(address, message, monkeypatch):
         softlube.sweep(PARAMETERS, scheduler=address)
 
 
+def test_a_lost_connection_is_no_failure_of_the_case():
+    from softlube.problem import Problem
+    from softlube.sweeps.executors import Dask
+
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
+    ) as cluster:
+        executor = Dask(cluster.scheduler_address)
+        (lane,) = executor.lanes()
+        future = executor.submit(lane, Problem(beta=2e5), 2e-4, False)
+        future.task.cancel()
+        with pytest.raises(ConnectionResetError, match="run again to take it up"):
+            future.result(60)
+        executor.close(wait=False)
+
+
 @pytest.mark.slow
 def test_a_worker_killed_midway(tmp_path):
     """Two worker processes, one of them killed when a third of the cases is there."""

@@ -6,6 +6,7 @@ it has met.  `softlube.sweeps.run` gives every lane neighbouring β.
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Hashable
 from concurrent.futures import Future
@@ -33,7 +34,7 @@ class Executor(Protocol):
         ...
 
     def submit(self, lane: Hashable, problem: Problem, accuracy: float, fields: bool) -> Future[Outcome]:
-        """Start to solve; the future raises `WorkerDied` if the process went away."""
+        """Start to solve; the future raises `WorkerDied` if the process went away, OSError if all of the cluster did."""
         ...
 
     def close(self, *, wait: bool) -> None:
@@ -153,7 +154,8 @@ class Dask:
 
         def hand_on(done: Any) -> None:
             if done.cancelled():
-                result.set_exception(WorkerDied("the cluster gave the task up"))
+                lost = "the connection to the cluster was lost; what is finished is kept, run again to take it up"
+                result.set_exception(ConnectionResetError(errno.ECONNRESET, lost, "scheduler"))
                 return
             error = done.exception()
             if isinstance(error, KilledWorker):
