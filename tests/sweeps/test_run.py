@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from concurrent.futures import Future
 
 import pandas as pd
@@ -158,6 +159,29 @@ def test_a_killed_worker_is_noticed_and_replaced():
     executor.close(wait=True)
 
 
+def test_workers_end_with_a_killed_sweep(tmp_path):
+    script = (
+        "import os, signal\n"
+        "from softlube.sweeps.executors import Local\n"
+        "from softlube.problem import Problem\n"
+        "executor = Local(1)\n"
+        "executor.submit(0, Problem(beta=100), 0.05, False).result()\n"
+        "print(*executor._pools[0]._processes, flush=True)\n"
+        "os.kill(os.getpid(), signal.SIGKILL)\n"
+    )
+    killed = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+    assert killed.returncode == -signal.SIGKILL
+    worker = int(killed.stdout)
+    deadline = time.monotonic() + 20
+    while time.monotonic() < deadline:
+        try:
+            os.kill(worker, 0)
+        except ProcessLookupError:
+            return
+        time.sleep(0.1)
+    pytest.fail("the worker is still there")
+
+
 class Deadly:
     """An executor whose worker dies over some problems a number of times."""
 
@@ -230,7 +254,6 @@ def test_two_processes_at_one_store_share_the_work_and_lose_nothing(tmp_path):
 def _killed(tmp_path, cases, kills):
     """Kill a sweep at random moments and resume it; the tables of the uninterrupted and of the resumed run, and the counts."""
     import random
-    import time
 
     plan = tmp_path / "plan.toml"
     plan.write_text(PLAN % cases)

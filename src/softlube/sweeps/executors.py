@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import errno
 import os
+import threading
+import time
 from collections.abc import Hashable
 from concurrent.futures import Future
 from typing import Any, Protocol
@@ -18,6 +20,8 @@ from softlube.sweeps.work import Outcome, solve_one, solver_version
 
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1")
 """Environment of a worker: as many processes as cores leave no core for a second thread of the linear algebra."""
+WATCH = 0.5
+"""Seconds between a worker's looks at whether its parent is there."""
 JOIN_TIMEOUT = 30.0
 """Seconds to wait for a scheduler, and for its first worker."""
 
@@ -48,11 +52,25 @@ def cores() -> int:
     return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
 
 
+def end_with(parent: int) -> None:
+    """End this process when its parent has ended: a killed sweep must not leave its workers behind.
+
+    A worker waits for work on a pipe that it holds both ends of, and so would never notice.
+    """
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(WATCH)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
 class Local:
     """Processes of this machine, each with one thread; started when first used, replaced when they die.
 
     loky starts them: unlike the standard library's, its workers need no ``if __name__ == "__main__"`` in the caller's script,
-    and end by themselves when the caller is killed.
+    and one that dies is told as an error.
     """
 
     def __init__(self, workers: int | None = None) -> None:
@@ -70,7 +88,9 @@ class Local:
         from loky.process_executor import BrokenProcessPool, ProcessPoolExecutor
 
         if lane not in self._pools:
-            self._pools[lane] = ProcessPoolExecutor(max_workers=1, env=ONE_THREAD)
+            self._pools[lane] = ProcessPoolExecutor(
+                max_workers=1, env=ONE_THREAD, initializer=end_with, initargs=(os.getpid(),)
+            )
         result: Future[Outcome] = Future()
 
         def hand_on(done: Future[Outcome]) -> None:
