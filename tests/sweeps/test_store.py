@@ -9,7 +9,7 @@ import softlube
 from softlube.problem import Problem
 from softlube.sweeps import store as store_module
 from softlube.sweeps.store import Store
-from softlube.sweeps.work import Outcome, content_key, solver_version
+from softlube.sweeps.work import Outcome, _sources, content_key, solver_version
 
 DONE = Outcome("", 10.0, 12.0, {"film_min": (0.1, 1e-4), "boundary_layer": (float("nan"), float("nan"))})
 FAILED = Outcome("too light")
@@ -102,6 +102,12 @@ def test_the_key_is_made_of_all_that_determines_a_solution(monkeypatch):
     monkeypatch.setattr("softlube.sweeps.work.solver_version", lambda: "another")
     others.append(content_key(Problem(beta=10), 1e-3))
     assert len({key, *others}) == 6
+
+
+def test_the_version_covers_the_code_that_solves_and_no_other():
+    names = set(_sources("solver"))
+    assert {"solver", "system", "newton", "reynolds", "elasticity", "grid", "quantities", "problem"} <= names
+    assert not names & {"cli", "contact", "io", "plotting", "experiments", "master", "stribeck", "tables"}
 
 
 def test_the_version_is_the_release_and_a_digest():

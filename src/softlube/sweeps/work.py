@@ -2,34 +2,20 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 
 from softlube.errors import SoftlubeError
 from softlube.problem import Problem
 
-FRONT = frozenset(
-    {
-        "cli.py",
-        "cli_fit.py",
-        "cli_stribeck.py",
-        "cli_sweep.py",
-        "contact.py",
-        "experiments.py",
-        "figures.py",
-        "files.py",
-        "fit_plot.py",
-        "plotting.py",
-        "reading.py",
-        "stribeck.py",
-        "tables.py",
-    }
-)
-"""Modules that have no say in the numbers of a solution; any other change of the code counts as another solver."""
+NO_SAY = frozenset({"cli", "contact", "files", "io", "paper", "plotting", "sweeps"})
+"""Modules that `softlube.solver` can reach and that have no say in its numbers."""
 
 
 @cache
@@ -38,11 +24,30 @@ def solver_version() -> str:
     from softlube import __version__
 
     digest = hashlib.sha256()
-    for item in sorted(files("softlube").iterdir(), key=lambda item: item.name):
-        if item.name.endswith(".py") and item.name not in FRONT:
-            digest.update(item.name.encode())
-            digest.update(item.read_bytes())
+    for name, source in sorted(_sources("solver").items()):
+        digest.update(name.encode() + b"\0" + source + b"\0")
     return f"{__version__}+{digest.hexdigest()[:12]}"
+
+
+def _sources(start: str) -> dict[str, bytes]:
+    """Source of a module of this package and of all those of the package that it imports, directly or not."""
+    found: dict[str, bytes] = {}
+    waiting = [start]
+    while waiting:
+        name = waiting.pop()
+        path = Path(str(files("softlube"))).joinpath(*name.split("."))
+        path = path / "__init__.py" if path.is_dir() else path.parent / f"{path.name}.py"
+        if name in found or name.split(".")[0] in NO_SAY or not path.is_file():
+            continue
+        found[name] = path.read_bytes()
+        for node in ast.walk(ast.parse(found[name])):
+            if isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] == "softlube":
+                inner = node.module.split(".")[1:]
+                waiting += [".".join(inner)] if inner else []
+                waiting += [".".join([*inner, item.name]) for item in node.names]
+            elif isinstance(node, ast.Import):
+                waiting += [item.name.removeprefix("softlube.") for item in node.names if item.name.startswith("softlube.")]
+    return found
 
 
 def content_key(problem: Problem, accuracy: float) -> str:
@@ -88,7 +93,6 @@ def solve_one(problem: Problem, accuracy: float, with_fields: bool) -> Outcome:
         fields = None
         if with_fields:
             import tempfile
-            from pathlib import Path
 
             with tempfile.TemporaryDirectory() as folder:
                 path = Path(folder) / "solution.nc"
