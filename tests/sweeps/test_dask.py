@@ -43,7 +43,7 @@ def test_a_lost_connection_is_no_failure_of_the_case():
     ) as cluster:
         executor = Dask(cluster.scheduler_address)
         (lane,) = executor.lanes()
-        future = executor.submit(lane, Problem(beta=2e5), 2e-4, False)
+        future = executor.submit(lane, Problem(beta=1000), 1e-3, False)
         future.task.cancel()
         with pytest.raises(ConnectionResetError, match="run again to take it up"):
             future.result(60)

@@ -220,6 +220,7 @@ def test_every_lane_walks_along_beta_and_helps_the_slowest():
     assert stretches.take("b") == "5"
     assert [stretches.take("a") for _ in range(2)] == ["8", "9"]  # half of what b has left
     stretches.share(["a", "c"])  # b has gone, c has come
+    assert stretches.take("b") is None
     assert sorted(filter(None, (stretches.take(lane) for lane in "acac"))) == ["6", "7"]
     assert len(stretches) == 0
     assert stretches.take("a") is None

@@ -112,8 +112,10 @@ class Stretches:
             self._owned[lane] = deque(self._unowned.popleft() for _ in range(count))
 
     def take(self, lane: Hashable) -> str | None:
-        """The lane's next problem."""
-        own = self._owned[lane]
+        """The lane's next problem; none for a lane that is gone."""
+        own = self._owned.get(lane)
+        if own is None:
+            return None
         if not own:
             longest = max([*self._owned.values(), self._unowned], key=len)
             own.extend(reversed([longest.pop() for _ in range(-(-len(longest) // 2))]))
@@ -222,6 +224,7 @@ class _Run:
         order = sorted((key for key in problems if key not in settled), key=lambda key: problems[key].parameter)
         self.pending = Stretches(order)
         self.flying: dict[Future[Outcome], tuple[Hashable, str]] = {}
+        self.ready: dict[Hashable, str] = {}
         self.deaths: dict[str, int] = {}
         self.theirs: deque[str] = deque()
         self.renewed = time.monotonic()
@@ -229,11 +232,18 @@ class _Run:
 
     def go(self, executor: Executor) -> None:
         """Solve all that is pending."""
-        while self.pending or self.flying or self.theirs:
+        while self.pending or self.flying or self.ready or self.theirs:
             self._fill(executor)
+            for lane, _ in list(self.flying.values()):  # so that no worker waits for the store when it is done
+                if lane not in self.ready and (key := self._claim(lane)) is not None:
+                    self.ready[lane] = key
             if self.flying:
-                for future in wait(self.flying, timeout=BEAT, return_when=FIRST_COMPLETED).done:
-                    self._land(future)
+                finished = wait(self.flying, timeout=BEAT, return_when=FIRST_COMPLETED).done
+                landed = [(future, *self.flying.pop(future)) for future in finished]
+                if landed:
+                    self._fill(executor)
+                for future, lane, key in landed:
+                    self._land(future, lane, key)
             else:
                 time.sleep(BEAT / 2)
             if time.monotonic() - self.renewed > LEASE / 6:
@@ -244,27 +254,39 @@ class _Run:
         """A problem for every lane that has none."""
         lanes = executor.lanes()
         self.pending.share(lanes)
+        for lane in [lane for lane in self.ready if lane not in lanes]:
+            self.pending.put_back(lane, self.ready.pop(lane))
         busy = {lane for lane, _ in self.flying.values()}
         for lane in lanes:
-            while lane not in busy and (key := self._next(lane)) is not None:
-                claim = self.store.claim(key, fields=self.fields, retry_failed=self.retry_failed)
-                if claim == "ours":
-                    self.flying[executor.submit(lane, self.problems[key], self.accuracy, self.fields)] = lane, key
-                    busy.add(lane)
-                elif claim == "settled":
-                    self.done += 1
-                    self._report()
-                else:
-                    self.theirs.append(key)
-                    if not self.pending:
-                        return  # nothing but what other processes are at: look again later
+            if lane in busy:
+                continue
+            key = self.ready.pop(lane, None) or self._claim(lane)
+            if key is None and self.ready:  # what another lane has not begun
+                _, key = self.ready.popitem()
+            if key is not None:
+                self.flying[executor.submit(lane, self.problems[key], self.accuracy, self.fields)] = lane, key
+
+    def _claim(self, lane: Hashable) -> str | None:
+        """The lane's next problem that is ours to solve."""
+        while (key := self._next(lane)) is not None:
+            claim = self.store.claim(key, fields=self.fields, retry_failed=self.retry_failed)
+            if claim == "ours":
+                return key
+            if claim == "settled":
+                self.done += 1
+                self._report()
+            else:
+                self.theirs.append(key)
+                if not self.pending:
+                    return None  # nothing but what other processes are at: look again later
+        return None
 
     def _next(self, lane: Hashable) -> str | None:
         key = self.pending.take(lane)
         return key if key is not None else (self.theirs.popleft() if self.theirs else None)
 
-    def _land(self, future: Future[Outcome]) -> None:
-        lane, key = self.flying.pop(future)
+    def _land(self, future: Future[Outcome], lane: Hashable, key: str) -> None:
+        """Keep what came of a problem."""
         try:
             outcome = future.result()
         except WorkerDied as error:
