@@ -125,11 +125,9 @@ class Cluster:
             self.address = client.scheduler.address
 
     def close(self) -> None:
-        """End all processes."""
+        """End all processes, the workers first."""
         for process in reversed(self.processes):
-            if process.poll() is None:
-                process.terminate()
-        for process in self.processes:
+            process.kill()
             process.wait()
 
 
