@@ -33,6 +33,11 @@ app = App(
     version=_version,
 )
 
+# Commands in modules of their own, which are imported when they are called.
+app.command("softlube.commands.sweep:sweep", name="sweep", help="Solve many contacts; every finished one is kept.")
+app.command("softlube.commands.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")
+app.command("softlube.commands.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")
+
 _PHYSICAL = Group("Physical contact (text with units, such as '2 mm')", sort_key=1)
 _DIMENSIONLESS = Group("Dimensionless contact", sort_key=2)
 _METHOD = Group("Method", sort_key=3)

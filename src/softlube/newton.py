@@ -229,4 +229,6 @@ def _solve(equation: LinearEquation, residual: Array) -> tuple[Array, int, float
         callback=norms.append,
         callback_type="pr_norm",
     )
-    return equation.step(solution), len(norms), norms[-1] if norms else 0.0
+    # Asked again, because GMRES believes its own recurrence even where it has broken down.
+    left = float(np.linalg.norm(right - equation.operator(solution))) / max(float(np.linalg.norm(right)), 1e-300)
+    return equation.step(solution), len(norms), left
