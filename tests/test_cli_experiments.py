@@ -127,7 +127,7 @@ def data(tmp_path):
     for load in (0.05, 0.1, 0.2):
         for speed in (1e-4, 3e-4, 1e-3, 3e-3):
             contact = softlube.Contact(radius="2 mm", young_modulus="3 MPa", viscosity=2.0, speed=speed, load=load)
-            friction = 2e6 * 3.14159 / 3 * contact.hertz_indentation**2 * 4.806 * contact.problem().beta_load ** -0.4398
+            friction = 2e6 * 3.14159 / 3 * contact.unit_height**2 * 4.806 * contact.problem().beta_load ** -0.4398
             rows.append(f"{1e3 * load}, {1e3 * speed}, {1e3 * friction}\n")
     path = tmp_path / "data.csv"
     path.write_text(HEADER + "".join(rows))

@@ -33,7 +33,7 @@ def test_the_model_is_the_friction_of_a_solved_contact(clean):
     """The link between a fit and a solution, for a row whose β is no node of the curve."""
     row = 30
     solution = softlube.Contact(**KNOWN, viscosity=VISCOSITY, speed=clean.speed[row], load=clean.load[row]).solve()
-    radius = math.sqrt(2e-3 * solution.contact.hertz_indentation)
+    radius = math.sqrt(2e-3 * solution.contact.unit_height)
     within = solution.friction_within(2 * radius / solution.dimensional["contact_radius"])
     friction = within / solution.friction_domain * solution.dimensional["friction_domain"]
     assert clean.friction[row] == pytest.approx(friction, rel=1e-3)

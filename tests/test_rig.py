@@ -70,7 +70,7 @@ def test_hersey_number_and_unit_of_friction():
     assert rig.hersey(0.1, 5e-5) == pytest.approx(2 * 5e-5 * 2e-3 / 0.1)
     contact = rig.contact(**LOAD)
     # N = (16/3) G √R δ^(3/2), so that (2π/3) G δ² = (π/8) N √(δ/R)
-    assert hertz_force(contact) == pytest.approx(math.pi / 8 * 0.1 * math.sqrt(contact.hertz_indentation / 2e-3))
+    assert hertz_force(contact) == pytest.approx(math.pi / 8 * 0.1 * math.sqrt(contact.unit_height / 2e-3))
 
 
 @pytest.mark.parametrize(

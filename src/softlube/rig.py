@@ -128,7 +128,7 @@ def surface_speeds(entrainment_speed: float, slide_to_roll: float) -> tuple[floa
 
 def hertz_force(contact: Contact) -> float:
     """Unit of a friction under load control, (2π/3) G δ² with the Hertz indentation δ of the load, Eq. (26) [N]."""
-    return 2 * math.pi / 3 * contact.shear_modulus * contact.hertz_indentation**2
+    return 2 * math.pi / 3 * contact.shear_modulus * contact.unit_height**2
 
 
 def _named(name: str, kind: str, value: object) -> float:

@@ -136,7 +136,7 @@ def _rows(
         "friction_coefficient_error": error / load,
     }
     for name in ("film_center", "film_min"):
-        film = contact.hertz_indentation * getattr(master, name)(betas)
+        film = contact.unit_height * getattr(master, name)(betas)
         data[f"{name} [m]"] = film
         data[f"{name}_error [m]"] = film * master.relative_error(name, betas)
     if roughness is not None:
