@@ -77,8 +77,8 @@ class Curve:
     def through(cls, name: str, beta: Array, value: Array, error: Array, law: Callable[[Array], Array] | None) -> Curve:
         """Interpolate a table; the errors grow by what leaving out every other point changes.
 
-        By a sixteenth of that where the curve is smooth, and by all of it at a kink: the largest gradient passes from one of two
-        maxima to the other near h₀ = 0.
+        By a sixteenth of that where the curve is smooth, and by all of it at a kink: near h₀ = 0 the largest gradient passes
+        from one of two maxima to the other.
         """
         x = np.log(beta)
         if name not in LINEAR:
