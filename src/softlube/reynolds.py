@@ -1,8 +1,8 @@
 """The Reynolds equation (1b), (6a) on the polar grid, conservative and of fourth order.
 
-    ∇·(u³∇p) + (1/β) ∂u/∂x = 0.
+    ∇·(φu³∇p) + (1/β) ∂u/∂x = 0,
 
-In the uniform coordinates (ξ, s) the flux q = u³∇p + (u/β) e_x balances as ∂_ξ(θ′ r q_r) + ∂_s(r′ q_θ) = 0 with r′ = dr/dξ and
+φ = η₀/η(p) the fluid's fluidity, 1 in the paper.  In the uniform coordinates (ξ, s) the flux q = φu³∇p + (u/β) e_x balances as ∂_ξ(θ′ r q_r) + ∂_s(r′ q_θ) = 0 with r′ = dr/dξ and
 θ′ = dθ/ds.  Fluxes live on the faces of the cells: gradient and film come from the four nearest nodes, the divergence from the
 four nearest faces.  The metric factors of the Couette flux are differences of sin θ and r themselves, so that a uniform film
 carries no pressure, exactly.
@@ -17,10 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
+from softlube.fluids import Fluid, Newtonian
 from softlube.grid import PolarGrid
 
 Array = NDArray[np.floating]
 Sparse = sparse.csr_array
+
+CONSTANT = Newtonian()
 
 # Staggered formulas of fourth order: value and derivative half-way between nodes, offsets from the face −2, −1, 0, 1.
 MIDPOINT = {-2: -1 / 16, -1: 9 / 16, 0: 9 / 16, 1: -1 / 16}
@@ -135,7 +138,7 @@ class ReynoldsOperator:
             drag=(np.outer(r_face, cosine).ravel(), -np.outer(stretch, np.sin(theta_face)).ravel()),
         )
 
-    def residual(self, pressure: Array, film: Array, speed: float) -> Array:
+    def residual(self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT) -> Array:
         """Minus the balance of (6a) at the unknown nodes; positive where the film would be starved (p = 0).
 
         Parameters
@@ -144,22 +147,33 @@ class ReynoldsOperator:
             On all nodes, rim included.
         speed : float
             1/β, the normalised speed.
+        fluid : Fluid
+            Its fluidity is taken at the pressure on the faces.
         """
         balance = 0.0
         for slope, midpoint, divergence, conductance, drag in self._directions():
             film_face = midpoint @ film
-            balance = balance + divergence @ (conductance * film_face**3 * (slope @ pressure) + speed * drag * film_face)
+            fluidity, _ = fluid.fluidity(midpoint @ pressure)
+            poiseuille = conductance * film_face**3 * fluidity * (slope @ pressure)
+            balance = balance + divergence @ (poiseuille + speed * drag * film_face)
         return -np.asarray(balance)
 
-    def derivatives(self, pressure: Array, film: Array, speed: float) -> tuple[Sparse, Sparse]:
+    def derivatives(
+        self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT
+    ) -> tuple[Sparse, Sparse]:
         """Exact derivatives of `residual` by pressure and by film, each (unknown nodes, all nodes), sparse."""
         shape = (self.divergence[0].shape[0], self.slope[0].shape[1])
         by_pressure, by_film = sparse.csr_array(shape), sparse.csr_array(shape)
         for slope, midpoint, divergence, conductance, drag in self._directions():
             film_face = midpoint @ film
+            fluidity, thickening = fluid.fluidity(midpoint @ pressure)
+            gradient = slope @ pressure
             mobility = conductance * film_face**3
-            transport = 3 * conductance * film_face**2 * (slope @ pressure) + speed * drag
-            by_pressure = by_pressure - divergence @ scaled_rows(slope, mobility)
+            transport = 3 * conductance * film_face**2 * fluidity * gradient + speed * drag
+            flux = scaled_rows(slope, mobility * fluidity)
+            if np.any(thickening):
+                flux = Sparse(flux + scaled_rows(midpoint, mobility * thickening * gradient))
+            by_pressure = by_pressure - divergence @ flux
             by_film = by_film - divergence @ scaled_rows(midpoint, transport)
         return by_pressure, by_film
 

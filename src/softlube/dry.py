@@ -1,0 +1,157 @@
+"""The dry contact of a sphere on any substrate, without friction: the limit β → ∞ of loads, depths and pressures.
+
+The pressure's Hankel transform is written as p̃(k) = ∫₀^a φ(s) cos ks ds, which makes p vanish beyond the contact radius a.
+The displacement −w = 2π∫C(k) p̃(k) J₀(kr) dk = δ − r²/2 inside becomes, by Abel's transformation, a Fredholm equation of
+the second kind (Lebedev & Ufliand 1958 for layers),
+
+    φ(x) + (2/π) ∫₀^a M(x, s) φ(s) ds = (δ − x²)/π²,      M(x, s) = ∫₀^∞ (C(k) − 1) cos kx cos ks dk,
+
+and p stays finite at the edge if φ(a) = 0.  The half-space, C = 1, is Hertz's contact: δ = a².
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import CubicSpline
+
+from softlube.errors import NotConvergedError
+from softlube.limits import HERTZ_LOAD
+from softlube.substrates import Substrate
+
+Array = NDArray[np.floating]
+
+FEWEST_POINTS = 24
+POINTS_PER_WAVE = 0.15
+"""Quadrature points for each radian that the shortest wave of the remainder turns over the contact."""
+
+
+@dataclass(frozen=True)
+class DryContact:
+    """A sphere pressed on a substrate, dry.
+
+    Attributes
+    ----------
+    radius : float
+        Contact radius a, in units of length.
+    indentation : float
+        Depth δ of the sphere's lowest point below the undeformed surface, in units of height.
+    load : float
+        ∫p dA.
+    density : CubicSpline
+        φ(s) for 0 ≤ s ≤ a.
+    """
+
+    radius: float
+    indentation: float
+    load: float
+    density: CubicSpline
+
+    def pressure(self, r: ArrayLike) -> Array:
+        """Pressure at a distance r from the axis, −∫_r^a φ′(s)/√(s² − r²) ds."""
+        return abel_pressure(self.density, self.radius, r)
+
+
+def abel_pressure(density: CubicSpline, radius: float, r: ArrayLike) -> Array:
+    """−∫_r^a φ′(s)/√(s² − r²) ds for a density φ even in s that vanishes at a; zero beyond."""
+    r = np.asarray(r, dtype=float)[..., None]
+    x, weight = leggauss(48)
+    reach = np.sqrt(np.maximum(radius**2 - r**2, 0))
+    # s² = r² + τ² takes the root away; φ′(s)/s is smooth.
+    s = np.sqrt(r**2 + (reach * (x + 1) / 2) ** 2)
+    return -np.sum(density(s, 1) / np.maximum(s, 1e-12) * weight, axis=-1) * reach[..., 0] / 2
+
+
+@lru_cache(maxsize=512)
+def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
+    """Dry contact of a given radius.
+
+    Examples
+    --------
+    >>> from softlube.substrates import HalfSpace
+    >>> dry_contact(HalfSpace(), 2.0).indentation
+    4.0
+    """
+    k, defect = substrate.spectrum()
+    n = FEWEST_POINTS + int(POINTS_PER_WAVE * radius * float(np.max(k, initial=0.0)))
+    x, weight = leggauss(n)
+    x, weight = radius * (x + 1) / 2, radius * weight / 2
+    waves = np.cos(np.outer(x, k))
+    kernel = 2 / np.pi * ((waves * defect) @ waves.T) * weight
+    flat, bowl = np.linalg.solve(np.eye(n) + kernel, np.stack([np.ones(n), x**2], axis=1)).T / np.pi**2
+
+    def interpolated(phi: Array, right: Array, at: Array) -> Array:
+        """Nyström's interpolation: the equation itself, read at other places."""
+        cosines = np.cos(np.outer(at, k))
+        return right / np.pi**2 - 2 / np.pi * cosines @ (defect * (waves.T @ (weight * phi)))
+
+    edge = np.array([radius])
+    depth = float((interpolated(bowl, edge**2, edge) / interpolated(flat, np.ones(1), edge))[0])
+    phi = depth * flat - bowl
+    s = radius * np.sin(np.linspace(0, np.pi / 2, 2 * n + 1))
+    values = interpolated(phi, depth - s**2, s)
+    values[-1] = 0.0
+    density = CubicSpline(s, values, bc_type=((1, 0.0), "not-a-knot"))
+    return DryContact(radius, depth, float(2 * np.pi * weight @ phi), density)
+
+
+@lru_cache(maxsize=512)
+def dry_contact_at(substrate: Substrate, *, indentation: float | None = None, load: float | None = None) -> DryContact:
+    """Dry contact of a given indentation or a given load, by the secant method in logarithms.
+
+    Examples
+    --------
+    >>> from softlube.substrates import HalfSpace, Layer
+    >>> dry_contact_at(HalfSpace(), indentation=1.0).radius
+    1.0
+    >>> dry_contact_at(Layer(1.0), indentation=1.0).load > dry_contact_at(HalfSpace(), indentation=1.0).load
+    True
+    """
+    if (indentation is None) == (load is None):
+        raise ValueError("indentation, load: give exactly one of them")
+    first = np.sqrt(indentation) if indentation is not None else float((load or 0.0) / HERTZ_LOAD) ** (1 / 3)
+
+    def miss(log_radius: float) -> float:
+        contact = dry_contact(substrate, float(np.exp(log_radius)))
+        return np.log(contact.indentation / indentation) if indentation is not None else np.log(contact.load / load)
+
+    here, value, slope = float(np.log(first)), miss(float(np.log(first))), 2.5
+    for _ in range(40):
+        if abs(value) < 1e-12:
+            return dry_contact(substrate, float(np.exp(here)))
+        there = here - float(np.clip(value / slope, -0.7, 0.7))
+        after = miss(there)
+        if there != here and after != value:
+            slope = (after - value) / (there - here)
+        if abs(there - here) < 1e-14:
+            return dry_contact(substrate, float(np.exp(there)))
+        here, value = there, after
+    raise NotConvergedError(f"the dry contact on {substrate!r} was not found")
+
+
+SMEARED = 48
+"""Contacts in a superposition."""
+
+
+@lru_cache(maxsize=64)
+def smeared_contact(substrate: Substrate, width: float) -> tuple[Callable[[ArrayLike], Array], float]:
+    """Mean of dry contacts with radii spread over 1 ± width, smooth at that scale.
+
+    Returns
+    -------
+    pressure : callable
+        Of the distance from the axis.
+    indentation : float
+        Mean of theirs: the displacement at the centre.
+    """
+    radii = 1 + width * np.cos(np.pi * (np.arange(SMEARED) + 0.5) / SMEARED)
+    contacts = [dry_contact(substrate, float(radius)) for radius in radii]
+    s = np.concatenate([np.linspace(0, 1 - width, 100)[:-1], np.linspace(1 - width, 1 + width, 200)])
+    density = np.mean([np.where(s <= contact.radius, contact.density(s), 0.0) for contact in contacts], axis=0)
+    spline = CubicSpline(s, density, bc_type=((1, 0.0), "not-a-knot"))
+    return lambda r: abel_pressure(spline, 1 + width, r), float(np.mean([contact.indentation for contact in contacts]))
