@@ -43,6 +43,8 @@ class DryContact:
         Depth δ of the sphere's lowest point below the undeformed surface, in units of height.
     load : float
         ∫p dA.
+    edge : float
+        Pressure close inside the edge over that of the Hertz contact of the same radius, p = edge (2/π²) √(2a(a − r)).
     density : CubicSpline
         φ(s) for 0 ≤ s ≤ a.
     """
@@ -50,7 +52,16 @@ class DryContact:
     radius: float
     indentation: float
     load: float
+    edge: float
     density: CubicSpline
+
+    def like_hertz(self, beta: float) -> float:
+        """β of the lubricated half-space that has the same layers at its contact edge, relative to the contact radius.
+
+        Close to the edge every substrate acts like the half-space, and p = A√s.  With u ~ Aℓ^(3/2) the layer is
+        ℓ ~ (βA³)^(−2/5) wide.
+        """
+        return beta * self.radius**4 * self.edge**3
 
     def pressure(self, r: ArrayLike) -> Array:
         """Pressure at a distance r from the axis, −∫_r^a φ′(s)/√(s² − r²) ds."""
@@ -90,14 +101,16 @@ def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
         cosines = np.cos(np.outer(at, k))
         return right / np.pi**2 - 2 / np.pi * cosines @ (defect * (waves.T @ (weight * phi)))
 
-    edge = np.array([radius])
-    depth = float((interpolated(bowl, edge**2, edge) / interpolated(flat, np.ones(1), edge))[0])
+    rim = np.array([radius])
+    depth = float((interpolated(bowl, rim**2, rim) / interpolated(flat, np.ones(1), rim))[0])
     phi = depth * flat - bowl
     s = radius * np.sin(np.linspace(0, np.pi / 2, 2 * n + 1))
     values = interpolated(phi, depth - s**2, s)
     values[-1] = 0.0
     density = CubicSpline(s, values, bc_type=((1, 0.0), "not-a-knot"))
-    return DryContact(radius, depth, float(2 * np.pi * weight @ phi), density)
+    # φ′(a) from the derivative of the equation; −2a/π² for Hertz.
+    edge = 1 - np.pi / radius * float(np.sin(radius * k) @ (k * defect * (waves.T @ (weight * phi))))
+    return DryContact(radius, depth, float(2 * np.pi * weight @ phi), edge, density)
 
 
 @lru_cache(maxsize=512)
@@ -138,20 +151,21 @@ SMEARED = 48
 """Contacts in a superposition."""
 
 
-@lru_cache(maxsize=64)
-def smeared_contact(substrate: Substrate, width: float) -> tuple[Callable[[ArrayLike], Array], float]:
-    """Mean of dry contacts with radii spread over 1 ± width, smooth at that scale.
+def smeared_contact(substrate: Substrate, indentation: float, width: float) -> Callable[[ArrayLike], Array]:
+    """Mean of dry contacts with radii spread over 1 ± width times that of an indentation, smooth at that scale.
+
+    Each leaves a gap that is nowhere negative, and so do all together, at the mean of their indentations.
 
     Returns
     -------
-    pressure : callable
-        Of the distance from the axis.
-    indentation : float
-        Mean of theirs: the displacement at the centre.
+    callable
+        Pressure at a distance from the axis.
     """
-    radii = 1 + width * np.cos(np.pi * (np.arange(SMEARED) + 0.5) / SMEARED)
-    contacts = [dry_contact(substrate, float(radius)) for radius in radii]
-    s = np.concatenate([np.linspace(0, 1 - width, 100)[:-1], np.linspace(1 - width, 1 + width, 200)])
+    radius = dry_contact_at(substrate, indentation=indentation).radius
+    radii = radius * (1 + width * np.cos(np.pi * (np.arange(SMEARED) + 0.5) / SMEARED))
+    contacts = [dry_contact(substrate, float(each)) for each in radii]
+    inner, outer = radius * (1 - width), radius * (1 + width)
+    s = np.concatenate([np.linspace(0, inner, 100)[:-1], np.linspace(inner, outer, 200)])
     density = np.mean([np.where(s <= contact.radius, contact.density(s), 0.0) for contact in contacts], axis=0)
     spline = CubicSpline(s, density, bc_type=((1, 0.0), "not-a-knot"))
-    return lambda r: abel_pressure(spline, 1 + width, r), float(np.mean([contact.indentation for contact in contacts]))
+    return lambda r: abel_pressure(spline, outer, r)

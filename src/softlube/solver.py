@@ -100,7 +100,8 @@ def unit_for(problem: Problem) -> float:
     if problem.load_controlled:
         return pressed + 0.18 * max(first_height(problem), 0)
     lifted = np.sqrt(TOUCHING / problem.parameter)
-    return float({-1: max(pressed, lifted), 0: lifted, 1: 0.2 + lifted}[problem.height])
+    over_contact = pressed * max(1.0, np.sqrt(TOUCHING / like_hertz(problem)))
+    return float({-1: over_contact, 0: lifted, 1: 0.2 + lifted}[problem.height])
 
 
 def _dry(problem: Problem) -> DryContact:
@@ -108,6 +109,11 @@ def _dry(problem: Problem) -> DryContact:
     if problem.load_controlled:
         return dry_contact_at(problem.substrate, load=HERTZ_LOAD)
     return dry_contact_at(problem.substrate, indentation=1.0)
+
+
+def like_hertz(problem: Problem) -> float:
+    """β of the contact on a half-space with the same layers at its edge; the problem's own if it is one."""
+    return _dry(problem).like_hertz(problem.parameter)
 
 
 def _over_a_gap(problem: Problem) -> bool:
@@ -123,7 +129,7 @@ def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
     operator.
     """
     gap = _over_a_gap(problem)
-    beta = 1.0 if gap else max(problem.parameter * _dry(problem).radius ** 4, 1.0)
+    beta = 1.0 if gap else max(like_hertz(problem), 1.0)
     step = np.round(np.log2(beta**-0.4))
     grid = PolarGrid(
         n_r=8,
@@ -141,9 +147,10 @@ def first_height(problem: Problem) -> float:
     In the Hertz limit h₀ + 1 ~ β^(−3/5), and another substrate is as deep as dry.  A light load is carried by the rigid sphere's pressure, which goes like 1/(β√h₀), or
     without the Reynolds condition by what the deformation adds to it, like 1/(β²h₀^(5/2)) (constants measured).
     """
-    beta = problem.parameter
+    beta, dry = like_hertz(problem), _dry(problem)
     if beta > TOUCHING / 2:
-        return 2.6 * beta**-0.6 - _dry(problem).indentation
+        return 2.6 * dry.radius**2 * dry.edge * beta**-0.6 - dry.indentation
+    beta = problem.parameter
     return 5.5 / beta**2 if problem.cavitation == "reynolds" else 0.65 / beta**0.8
 
 
@@ -194,7 +201,7 @@ def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solve
     history: list[Iteration] = []
     if start is None:
         start = system.start(first_height(problem) / system.scale)
-        if problem.parameter > DEEP and problem.load_controlled:
+        if like_hertz(problem) > DEEP and problem.load_controlled:
             # The step from a guess is safer with the height held, and the height is the dry one but for β^(−3/5).
             depth = _dry(problem).indentation
             pressed = replace(
@@ -265,7 +272,7 @@ def floors_for(problem: Problem) -> Mapping[str, float]:
         floors |= SUCTION
     elif _over_a_gap(problem):
         floors |= FREE_BOUNDARY_GAP
-    if problem.parameter > DEEP_BETA and not _over_a_gap(problem):
+    if like_hertz(problem) > DEEP_BETA and not _over_a_gap(problem):
         floors |= FREE_BOUNDARY_DEEP
     return floors
 
@@ -319,7 +326,7 @@ def climb(problem: Problem) -> Iterator[Solved]:
     """Solve on ever finer grids, each starting from the one before."""
     start, coarse = None, None
     # Twelve intervals cannot hold the layers of a very large β together.
-    for n_theta in LADDER[1:] if problem.parameter > COARSE_BETA else LADDER:
+    for n_theta in LADDER[1:] if like_hertz(problem) > COARSE_BETA else LADDER:
         grid = grid_for(problem, n_theta)
         if start is not None and coarse is not None:
             start = prolong(start, coarse, grid, problem)

@@ -116,8 +116,8 @@ class ContactSystem:
         Notes
         -----
         Dry contacts of radii spread over the boundary layer, under which the film is positive everywhere.  The superposition
-        is smooth at the scale β^(−2/5) of the layer, and its strength lifts the film at the centre to β^(−3/5), as in the Hertz
-        limit.  Far outside the far field is added, so that the free boundary starts where it ends.  High over the surface,
+        is smooth at the scale β^(−2/5) of the layer, and it is so much deeper that the film at the centre is β^(−3/5), as in
+        the Hertz limit.  Far outside the far field is added, so that the free boundary starts where it ends.  High over the surface,
         h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
         """
         height = -dry_contact(self.material).indentation if height is None else height
@@ -128,10 +128,10 @@ class ContactSystem:
         if height > 1:
             pressure = kapitza_pressure(r, 0.0, self.beta, height) * profile / 0.8
         else:
-            beta = max(self.beta, 1.0)
+            dry = dry_contact(self.material)
+            beta = max(dry.like_hertz(self.beta), 1.0)
             layer = min(0.5, 1.5 * beta**-0.4)
-            dry, lift = smeared_contact(self.material, layer)
-            contact = dry(r) * (dry_contact(self.material).indentation + beta**-0.6) / lift
+            contact = smeared_contact(self.material, dry.indentation + dry.edge * beta**-0.6, layer)(r)
             pressure = contact + self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
         return np.append(pressure.ravel(), height) if self.problem.load_controlled else pressure.ravel()
 
