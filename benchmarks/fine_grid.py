@@ -46,7 +46,7 @@ def main() -> None:
     """Solve the cases and write the file."""
     results = []
     for problem in CASES:
-        sizes = (40, 60) if problem.parameter < 3e4 else (34, 48)
+        sizes = (40, 60) if problem.parameter < 3e4 else (40, 58) if problem.parameter < 1e7 else (34, 48)
         coarser, finest = (reference(problem, n_theta) for n_theta in sizes)
         values = {name: {"value": value, "uncertainty": abs(value - coarser[name])} for name, value in finest.items()}
         results.append({"problem": asdict(problem), "quantities": values})

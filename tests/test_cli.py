@@ -15,8 +15,9 @@ def test_table_of_a_physical_contact(capsys):
     assert main(["solve", *BALL, "--thickness", "2 mm"]) == 0
     out = capsys.readouterr().out
     for fragment in (
-        "indentation |h0|",
+        "indentation ",
         "55.8",
+        "contact radius a = √(R δ)",
         "µm",
         "minimum film",
         "nm",
@@ -82,6 +83,33 @@ def test_output_and_plot(capsys, tmp_path):
     assert str(output) in capsys.readouterr().out
 
 
+def test_table_of_a_dimensionless_load_names_its_unit(capsys):
+    assert main(["solve", "--beta-load", "2", "--accuracy", "0.01"]) == 0
+    out = capsys.readouterr().out
+    assert "δ is the Hertz indentation of the load" in out
+    assert "over the undeformed surface" in out
+    assert "4πG δ a" in out
+    assert "|h0|" not in out
+    assert "…" not in out
+
+
+@pytest.mark.parametrize("given", [["--indentation", "-1 um"], ["--indentation", "0 um"], ["--load", "50 uN"]])
+def test_a_sphere_that_floats_is_solved_by_the_same_command(capsys, tmp_path, given):
+    output = tmp_path / "a.nc"
+    assert main(["solve", *BALL[:-2], *given, "--accuracy", "0.01", "--json", "--output", str(output)]) == 0
+    data = json.loads(capsys.readouterr().out)
+    depth = data["dimensional"]["indentation"]["value"]
+    if given[0] == "--indentation":
+        assert depth == pytest.approx(-1e-6 if given[1] == "-1 um" else 0, abs=1e-20)
+    else:
+        assert -6e-6 < depth < -3e-6
+        assert data["dimensional"]["load"]["value"] == pytest.approx(5e-5, rel=1e-12)
+    assert data["dimensional"]["film_min"]["value"] > -depth
+    assert softlube.load(output).dimensional["indentation"] == depth
+    assert main(["solve", *BALL[:-2], *given, "--accuracy", "0.01"]) == 0
+    assert "contact radius a = √(R" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("arguments", "fragment"),
     [
@@ -111,6 +139,8 @@ def test_output_and_plot(capsys, tmp_path):
         ([*BALL[:-1], "-5 N"], "--load: expected a positive"),
         ([*BALL[:-1], "5 m"], "--load: 5 m has the wrong dimension"),
         ([*BALL[:-1], "5"], "--load: '5' has no unit"),
+        ([*BALL[:-2], "--indentation", "-5 N"], "--indentation: -5 N has the wrong dimension"),
+        ([*BALL[:-2], "--indentation", "-inf m"], "--indentation: expected a finite"),
         ([*BALL, "--roughness", "0 nm"], "--roughness: expected a positive"),
     ],
 )
@@ -124,7 +154,7 @@ def test_bad_input_exits_2_with_one_line(capsys, arguments, fragment):
 
 def test_no_convergence_exits_3_and_writes_nothing(capsys, tmp_path):
     output = tmp_path / "a.nc"
-    assert main(["solve", "--beta", "1e8", "--output", str(output)]) == 3
+    assert main(["solve", "--beta", "1e10", "--output", str(output)]) == 3
     captured = capsys.readouterr()
     assert "outside the range" in captured.err
     assert captured.out == ""

@@ -76,11 +76,11 @@ def test_local_exponents_at_large_beta_are_the_theory_s(name, exponent):
 
 
 def test_rigid_limit_with_the_condition_and_without():
-    """h₀ ~ N^(-2) where half the rigid sphere's pressure carries the load; without the condition deformation has to, h₀ ~ β^(−4/5)."""
+    """h₀ ~ β^(−2) where half the rigid sphere's pressure carries the load; without the condition deformation has to."""
     for cavitation, exponent in (("reynolds", -2.0), ("none", -0.8)):
         assert curve.curve("height", "load", cavitation).exponent(2e-4) == pytest.approx(exponent, abs=2e-3)
     height = float(curve.height(beta_load=1e-4)[0])
-    # Half-Sommerfeld's load would lift the sphere to (2π/(5β·4/3π))²/2; the pressure that spills over the axis carries 10 % more.
+    # Half-Sommerfeld's load would lift the sphere to this; the pressure that spills over the axis carries 10 % more.
     half = (2 * np.pi / (5 * 1e-4 * limits.HERTZ_LOAD)) ** 2 / 2
     assert 1.05 < np.sqrt(height / half) < 1.15
     assert curve.film_center(beta_load=1e-4)[0] == pytest.approx(height, rel=1e-3)

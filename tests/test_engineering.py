@@ -34,7 +34,10 @@ def test_parameters_of_a_physical_contact():
     u, w = viscosity * speed / 2 / (modulus * radius), load / (modulus * radius**2)
     assert engineering.moes_load(solution.beta_load) == pytest.approx(w * (2 * u) ** -0.75, rel=1e-9)
     film = float(solution.dimensional["film_center"])
-    assert engineering.moes_film(solution.film_center, solution.beta) == pytest.approx(film / radius / np.sqrt(2 * u), rel=1e-6)
+    expected = film / radius / np.sqrt(2 * u)
+    assert engineering.moes_film(solution.film_center, solution.beta_load) == pytest.approx(expected, rel=1e-6)
+    by_depth = solution.normalised("indentation")["film_center"]
+    assert engineering.moes_film(by_depth, solution.beta) == pytest.approx(expected, rel=1e-6)
 
 
 def test_formulas_describe_the_solutions_within_their_range(solution):

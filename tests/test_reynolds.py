@@ -63,7 +63,7 @@ def test_kapitza_solution_converges_at_fourth_order():
     """Rigid sphere: the linear problem for a given film, with the exact pressure imposed at the rim."""
     beta, gap, errors, sizes = 2.0, 0.15, [], np.array([24, 36, 54])
     for n in sizes:
-        grid = PolarGrid(2 * n, n, layer=0.4, side_spacing=0.8, reach=10)
+        grid = PolarGrid(2 * n, n, layer=0.4, side_layer=1.0, reach=10)
         exact = kapitza_pressure(grid.r[:, None], grid.theta, beta, gap).ravel()
         film = np.repeat(gap + grid.r**2 / 2, grid.theta.size)
         operator, known = ReynoldsOperator.on(grid), exact.copy()

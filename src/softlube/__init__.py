@@ -15,10 +15,15 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from softlube.contact import Contact
     from softlube.errors import InputError, NotConvergedError, SoftlubeError
+    from softlube.experiments import fit
     from softlube.io import load
+    from softlube.measurements import Measurements, read_measurements
     from softlube.problem import Problem
+    from softlube.rig import Rig
     from softlube.solution import Quantity, Solution
     from softlube.solver import solve
+    from softlube.stribeck import stribeck_curve
+    from softlube.sweeps import sweep
 
 __version__ = "0.2.0.dev0"
 
@@ -26,26 +31,38 @@ __version__ = "0.2.0.dev0"
 _HOME = {
     "Contact": "contact",
     "InputError": "errors",
+    "Measurements": "measurements",
     "NotConvergedError": "errors",
     "Problem": "problem",
     "Quantity": "solution",
     "SoftlubeError": "errors",
     "Solution": "solution",
+    "fit": "experiments",
     "load": "io",
+    "read_measurements": "measurements",
+    "Rig": "rig",
     "solve": "solver",
+    "stribeck_curve": "stribeck",
+    "sweep": "sweeps",
 }
 
 __all__ = [
     "Contact",
     "InputError",
+    "Measurements",
     "NotConvergedError",
     "Problem",
     "Quantity",
+    "Rig",
     "SoftlubeError",
     "Solution",
     "__version__",
+    "fit",
     "load",
+    "read_measurements",
     "solve",
+    "stribeck_curve",
+    "sweep",
 ]
 
 

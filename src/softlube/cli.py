@@ -33,6 +33,11 @@ app = App(
     version=_version,
 )
 
+# Commands in modules of their own, which are imported when they are called.
+app.command("softlube.commands.sweep:sweep", name="sweep", help="Solve many contacts; every finished one is kept.")
+app.command("softlube.commands.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")
+app.command("softlube.commands.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")
+
 _PHYSICAL = Group("Physical contact (text with units, such as '2 mm')", sort_key=1)
 _DIMENSIONLESS = Group("Dimensionless contact", sort_key=2)
 _METHOD = Group("Method", sort_key=3)
@@ -325,7 +330,7 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
     what = "Newton steps" if solution.method == "newton" else f"sweeps of the paper's method ({solution.method})"
     console.print(f"Converged in {seconds:.2f} s: grids of {sizes} cells, {steps} {what}.")
     if solution.method == "newton":
-        console.print(f"Errors aimed at: {solution.accuracy:g} of each value (minimum film and gradient: three times that).")
+        console.print(f"Errors aimed at: {solution.accuracy:g} of each value (minimum film: three times that).")
     else:
         console.print("One mesh, so the errors are not known; softlube's own method (--method newton) estimates them.")
     for doubt in solution.warnings:

@@ -25,7 +25,9 @@ KINDS = {
     "shear_modulus": ("Pa", "a pressure such as '1 MPa'"),
     "viscosity": ("Pa s", "a dynamic viscosity such as '2 Pa s'"),
     "speed": ("m/s", "a speed such as '0.1 mm/s'"),
+    "entrainment_speed": ("m/s", "a speed such as '0.05 mm/s'"),
     "load": ("N", "a force such as '100 mN'"),
+    "friction": ("N", "a force such as '5 mN'"),
     "indentation": ("m", "a length such as '50 um', or '-1 um' for a gap"),
     "roughness": ("m", "a length such as '20 nm'"),
     "thickness": ("m", "a length such as '2 mm'"),
@@ -116,6 +118,24 @@ def to_si(name: str, value: object) -> float:
             raise InputError(f"{name}: {value!s} has the wrong dimension; expected {expected}") from None
         raise InputError(f"{name}: cannot read {value!r}; expected {expected}") from None
     return _checked(name, number, value)
+
+
+def unit_factor(name: str, unit: str) -> float:
+    """What a number in `unit` is multiplied by to be in SI.
+
+    Parameters
+    ----------
+    name : str
+        A key of `KINDS`.
+    unit : str
+        In any spelling pint knows, such as "mN" or "mm/s".
+
+    Raises
+    ------
+    InputError
+        If the unit is unknown or of the wrong dimension.
+    """
+    return to_si(name, f"1 {unit}") if unit.strip() else to_si(name, "1")
 
 
 def _checked(name: str, number: float, given: object) -> float:

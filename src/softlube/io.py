@@ -6,13 +6,12 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import asdict
-from importlib.metadata import version
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from softlube import fluids, substrates
+from softlube import __version__, fluids, substrates
 from softlube.contact import Contact
 from softlube.errors import InputError
 from softlube.fields import Chart, Fields
@@ -84,7 +83,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     chart = fields.chart
     attributes = {
         "title": "Lubricated sliding of a rigid sphere on an elastic half-space",
-        "softlube_version": version("softlube"),
+        "softlube_version": __version__,
         "method": solution.method,
         "converged": int(solution.converged),
         "beta": solution.beta,

@@ -24,6 +24,8 @@ LINEAR_TOLERANCE = 1e-4
 """Reduction of the (preconditioned) linear residual in each Newton step."""
 REUSE_BELOW = 3e-2
 """Size of a step after which the preconditioner is good for the next one too."""
+WORST_REDUCTION = 0.1
+"""What may be left of a linear residual when GMRES gives up; a step from anything worse is none."""
 LARGEST_KRYLOV = 60
 """Iterations of GMRES at most; some ten are usual."""
 
@@ -194,7 +196,9 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
         right = np.where(free, -at.residual - (at.times(step) if step.any() else 0.0), 0.0)
         near = settled and history[-1].step < REUSE_BELOW
         equation = equation.at(at.times) if near and equation is not None else at.equation(free)
-        correction, krylov = _solve(equation, right)
+        correction, krylov, left = _solve(equation, right)
+        if left > WORST_REDUCTION:
+            break
         step += correction
         if not np.all(np.isfinite(step)):
             break
@@ -212,8 +216,8 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
     return NewtonResult(x, False, tuple(history))
 
 
-def _solve(equation: LinearEquation, residual: Array) -> tuple[Array, int]:
-    """The solution of Newton's equation by GMRES, and the number of iterations."""
+def _solve(equation: LinearEquation, residual: Array) -> tuple[Array, int, float]:
+    """The solution of Newton's equation by GMRES, the number of iterations, and what is left of the residual."""
     right = equation.right(residual)
     norms: list[float] = []
     solution, _ = gmres(
@@ -225,4 +229,6 @@ def _solve(equation: LinearEquation, residual: Array) -> tuple[Array, int]:
         callback=norms.append,
         callback_type="pr_norm",
     )
-    return equation.step(solution), len(norms)
+    # Asked again, because GMRES believes its own recurrence even where it has broken down.
+    left = float(np.linalg.norm(right - equation.operator(solution))) / max(float(np.linalg.norm(right)), 1e-300)
+    return equation.step(solution), len(norms), left

@@ -165,10 +165,8 @@ class FilmEquation:
         """Left-hand side, nearly the identity."""
         n = self._free.size
         step = self._pressure(unknown)
-        held = np.where(self._free, 0.0, step[:n])
-        step[:n] -= held
         result = self._times(step)
-        result[:n] = np.where(self._free, result[:n], self._hold * held)
+        result[:n] = np.where(self._free, result[:n], self._hold * step[:n])
         return self._inverse(result)
 
     def step(self, unknown: Array) -> Array:

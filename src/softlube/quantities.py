@@ -29,7 +29,7 @@ INLET, OUTLET = np.array([0.0]), np.array([np.pi])
 DESCRIPTION = {
     "load": "normal load, whole plane",
     "load_contact": "normal load over r ≤ a",
-    "height": "height of the sphere over the undeformed surface",
+    "height": "height over the undeformed surface",
     "film_center": "film at the centre",
     "film_min": "minimum film",
     "film_min_radius": "radius of the minimum film",

@@ -11,7 +11,7 @@ from softlube.grid import PolarGrid
 from softlube.problem import Problem
 from softlube.solver import solve_level
 
-FINE = {"layer": 0.15, "side_spacing": 0.75}
+FINE = {"layer": 0.15, "side_layer": 0.5}
 
 
 def errors(problem, grids, finest, names):
@@ -45,8 +45,8 @@ def test_smooth_solutions_converge_at_fourth_order(direction, sizes):
 
 def test_free_boundary_leaves_at_least_second_order():
     problem, sizes = Problem(beta=100.0), np.array([10, 14, 20, 28])
-    grids = [PolarGrid(int(2.2 * n), n, layer=0.06, side_spacing=0.6) for n in sizes]
-    finest = PolarGrid(110, 50, layer=0.06, side_spacing=0.6)
+    grids = [PolarGrid(int(2.2 * n), n, layer=0.06, side_layer=0.5) for n in sizes]
+    finest = PolarGrid(110, 50, layer=0.06, side_layer=0.5)
     names = ["film_center", "film_min", "film_outlet_min", "load_contact", "friction_contact"]
     found = errors(problem, grids, finest, names)
     assert order(sizes, np.exp(np.log(found).mean(axis=1))) > 1.9

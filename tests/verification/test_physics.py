@@ -7,7 +7,6 @@ import pytest
 
 import softlube
 from softlube.limits import HERTZ_LOAD, HERTZ_PRESSURE, half_sommerfeld_load, hertz_pressure, kapitza_pressure
-from softlube.newton import newton
 from softlube.problem import Problem
 from softlube.solver import fields_of, grid_for, solve_level
 from softlube.system import ContactSystem
@@ -72,18 +71,41 @@ def test_minimum_film_moves_to_the_sides(march):
 
 def test_rigid_limit():
     """Light load, h₀ > 0: the film is the undeformed gap, and the load a little more than the half-Sommerfeld one."""
-    beta = 0.1
-    gap = (2 * np.pi / (5 * beta * HERTZ_LOAD)) ** 2 / 2  # of the half-Sommerfeld load
-    grid = grid_for(Problem(beta_load=1.0), 20).scaled(0.3 * np.sqrt(2 * gap))
-    system = ContactSystem(Problem(beta_load=beta), grid)
-    pressure = np.maximum(kapitza_pressure(grid.r[: grid.n_r, None], grid.theta, beta, gap), 0)
-    result = newton(system, np.append(pressure.ravel(), gap))
-    assert result.converged
-    gap = system.height(result.x)
+    solution = softlube.solve(beta_load=0.1)
+    fields, gap = solution.fields, solution.height
     assert gap > 100
-    assert system.film(result.x) == pytest.approx(gap + np.repeat(grid.r**2 / 2, grid.shape[1]), rel=0.01)
+    assert fields.film == pytest.approx(gap + np.repeat(fields.r[:, None] ** 2 / 2, fields.theta.size, axis=1), rel=0.01)
     # The Reynolds condition lets the pressure spread behind the centre: some 10 % more load than its positive half alone.
-    assert 1.05 < system.load(result.x) / half_sommerfeld_load(beta, gap) < 1.15
+    assert 1.05 < fields.load / half_sommerfeld_load(fields.beta, gap) < 1.15
+
+
+@pytest.mark.parametrize(("beta", "deformation"), [(1e3, 2e-3), (1e6, 2e-4), (1e9, 2e-4)])
+def test_a_gap_prescribed_over_a_stiff_substrate_has_the_pressure_of_kapitza(beta, deformation):
+    """Without the cavitation condition, at every node: to the deformation p ~ 1/β, then to the error of the grid."""
+    problem = Problem(beta=beta, height=1, cavitation="none")
+    fields = solve_level(problem, grid_for(problem, 24), None).fields
+    exact = kapitza_pressure(fields.r[:, None], fields.theta, beta, 1.0)
+    assert np.abs(fields.pressure - exact).max() < deformation * exact.max()
+    assert fields.film == pytest.approx(np.repeat(1 + fields.r[:, None] ** 2 / 2, fields.theta.size, axis=1), rel=1 / beta)
+
+
+@pytest.mark.parametrize(("cavitation", "exponent"), [("reynolds", -2.0), ("none", -0.8)])
+def test_height_under_a_light_load(cavitation, exponent):
+    """N ~ 1/(β√h₀) if the pressure behind is cut off, and by the deformation, N ~ 1/(β²h₀^(5/2)), if it is not."""
+    heights = []
+    for beta in (1e-5, 1e-4, 1e-3):
+        problem = Problem(beta_load=beta, cavitation=cavitation)
+        heights.append(solve_level(problem, grid_for(problem, 18), None).level.values["height"])
+    assert np.diff(np.log(heights)) / np.log(10) == pytest.approx(exponent, abs=2e-4)
+
+
+def test_two_thirds_of_a_rigid_sphere_s_pressure_centre():
+    """The rigid pressure x/(5βu²) is largest at r = √(2h₀/3): position and height of the maximum on the inlet axis."""
+    problem = Problem(beta=1e6, height=1, cavitation="none")
+    solved = solve_level(problem, grid_for(problem, 24), None)
+    peak = np.sqrt(2 / 3)
+    assert solved.level.values["pressure_max"] == pytest.approx(peak / (5e6 * (1 + 1 / 3) ** 2), rel=3e-4)
+    assert solved.level.values["pressure_center"] == pytest.approx(0, abs=1e-9)
 
 
 def test_a_full_film_is_nearly_antisymmetric_when_nearly_rigid():
@@ -97,7 +119,11 @@ def test_a_full_film_is_nearly_antisymmetric_when_nearly_rigid():
 def test_the_answer_does_not_depend_on_the_grid_s_reach_or_grading():
     problem = Problem(beta=50.0)
     grid = grid_for(problem, 27)
-    for other in (replace(grid, reach=40.0), replace(grid, side_spacing=1.0), replace(grid, layer=grid.layer * 1.4)):
+    for other in (
+        replace(grid, reach=40.0),
+        replace(grid, side_layer=2 * grid.side_layer),
+        replace(grid, layer=grid.layer * 1.4),
+    ):
         other = other.resized(int(np.ceil(other.xi_of(other.reach) * 27 / 6)), 27)
         first, second = solve_level(problem, grid, None).level.values, solve_level(problem, other, None).level.values
         for name in ("load", "film_center", "film_inlet", "pressure_center", "friction_domain"):
@@ -111,6 +137,8 @@ def test_fields_are_rescaled_consistently():
     level = solve_level(problem, grid, None)
     system = ContactSystem(problem, grid)
     fields = fields_of(system, level.x)
+    fields = fields.in_units(-fields.height)
+    assert fields.height == -1
     again = ContactSystem(Problem(beta=fields.beta), grid.scaled((-system.height(level.x)) ** -0.5))
     x = fields.pressure[: grid.n_r].ravel()
     assert again.film(x) == pytest.approx(fields.film.ravel(), rel=1e-9)

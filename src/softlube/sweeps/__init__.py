@@ -1,0 +1,12 @@
+"""Many contacts at once: a plan of cases, a store that loses nothing, and workers here or on a cluster.
+
+    plan (TOML, CSV or Python) ─► cases ─► problems, each once ─► workers ─► store ─► table, NetCDF
+
+The name is plural because `softlube.sweep` is the function.
+"""
+
+from softlube.sweeps.plan import Plan, read_plan
+from softlube.sweeps.run import Progress, Sweep, sweep
+from softlube.sweeps.store import Store
+
+__all__ = ["Plan", "Progress", "Store", "Sweep", "read_plan", "sweep"]

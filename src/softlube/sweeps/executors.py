@@ -1,0 +1,194 @@
+"""Where problems are solved: processes of this machine, or the workers of a Dask cluster.
+
+Both offer lanes, each of which solves one problem at a time in one process and keeps there the elastic operators of the grids
+it has met.  `softlube.sweeps.run` gives every lane neighbouring β.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import threading
+import time
+from collections.abc import Hashable
+from concurrent.futures import Future
+from typing import Any, Protocol
+
+from softlube.errors import InputError
+from softlube.problem import Problem
+from softlube.sweeps.work import Outcome, solve_one, solver_version
+
+ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1")
+"""Environment of a worker: as many processes as cores leave no core for a second thread of the linear algebra."""
+WATCH = 0.5
+"""Seconds between a worker's looks at whether its parent is there."""
+JOIN_TIMEOUT = 30.0
+"""Seconds to wait for a scheduler, and for its first worker."""
+
+
+class WorkerDied(Exception):
+    """The process that solved a problem is gone, by a signal or for want of memory."""
+
+
+class Executor(Protocol):
+    """Something with lanes."""
+
+    def lanes(self) -> list[Hashable]:
+        """Those there are now; workers may come and go."""
+        ...
+
+    def submit(self, lane: Hashable, problem: Problem, accuracy: float, fields: bool) -> Future[Outcome]:
+        """Start to solve; the future raises `WorkerDied` if the process went away, OSError if all of the cluster did."""
+        ...
+
+    def close(self, *, wait: bool) -> None:
+        """Let go of the workers; without `wait` also of what they are doing."""
+        ...
+
+
+def cores() -> int:
+    """Cores that this process may use."""
+    affinity = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
+
+
+def end_with(parent: int) -> None:
+    """End this process when its parent has ended: a killed sweep must not leave its workers behind.
+
+    A worker waits for work on a pipe that it holds both ends of, and so would never notice.
+    """
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(WATCH)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+class Local:
+    """Processes of this machine, each with one thread; started when first used, replaced when they die.
+
+    loky starts them: unlike the standard library's, its workers need no ``if __name__ == "__main__"`` in the caller's script,
+    and one that dies is told as an error.
+    """
+
+    def __init__(self, workers: int | None = None) -> None:
+        if workers is not None and (isinstance(workers, bool) or workers < 1):
+            raise InputError(f"workers: expected a positive whole number, got {workers!r}")
+        self._lanes: list[Hashable] = list(range(workers or cores()))
+        self._pools: dict[Hashable, Any] = {}
+
+    def lanes(self) -> list[Hashable]:
+        """As many as there are processes."""
+        return self._lanes
+
+    def submit(self, lane: Hashable, problem: Problem, accuracy: float, fields: bool) -> Future[Outcome]:
+        """Solve in the lane's process."""
+        from loky.process_executor import BrokenProcessPool, ProcessPoolExecutor
+
+        if lane not in self._pools:
+            self._pools[lane] = ProcessPoolExecutor(
+                max_workers=1, env=ONE_THREAD, initializer=end_with, initargs=(os.getpid(),)
+            )
+        result: Future[Outcome] = Future()
+
+        def hand_on(done: Future[Outcome]) -> None:
+            error = done.exception()
+            if isinstance(error, BrokenProcessPool):
+                self._pools.pop(lane, None)
+                error = WorkerDied(str(error).splitlines()[0] if str(error) else "the process ended")
+            if error is not None:
+                result.set_exception(error)
+            else:
+                result.set_result(done.result())
+
+        try:
+            self._pools[lane].submit(solve_one, problem, accuracy, fields).add_done_callback(hand_on)
+        except BrokenProcessPool as error:  # died between two problems
+            self._pools.pop(lane, None)
+            result.set_exception(WorkerDied(str(error)))
+        return result
+
+    def close(self, *, wait: bool) -> None:
+        """End the processes."""
+        for pool in self._pools.values():
+            pool.shutdown(wait=wait, kill_workers=not wait)
+        self._pools.clear()
+
+
+class Dask:
+    """Workers of a Dask cluster.  Where one goes away, the scheduler gives its problem to another."""
+
+    def __init__(self, address: str) -> None:
+        try:
+            from distributed import Client
+        except ImportError:
+            raise InputError("scheduler: needs the extra dask: pip install 'softlube[dask]'") from None
+        try:
+            self._client = Client(address, timeout=JOIN_TIMEOUT, set_as_default=False)
+        except (OSError, ValueError) as error:
+            reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+            raise InputError(
+                f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786"
+            ) from None
+        try:
+            self._client.wait_for_workers(1, timeout=JOIN_TIMEOUT)
+            versions = self._client.run(solver_version)
+        except TimeoutError:
+            self._client.close()
+            raise InputError(f"scheduler: {address!r} has no worker") from None
+        except Exception as error:
+            self._client.close()
+            raise InputError(f"scheduler: the workers at {address!r} cannot run softlube ({error})") from None
+        others = set(versions.values()) - {solver_version()}
+        if others:
+            self._client.close()
+            raise InputError(
+                f"scheduler: a worker has softlube {others.pop()}, and this is {solver_version()}: install the same"
+            )
+        self._count = 0
+
+    def lanes(self) -> list[Hashable]:
+        """One for each thread of each worker."""
+        workers = self._client.scheduler_info(n_workers=-1)["workers"]
+        return [(address, thread) for address, worker in workers.items() for thread in range(worker["nthreads"])]
+
+    def submit(self, lane: Hashable, problem: Problem, accuracy: float, fields: bool) -> Future[Outcome]:
+        """Solve on the lane's worker, or on another if that one is gone."""
+        from distributed.scheduler import KilledWorker
+
+        assert isinstance(lane, tuple)
+        self._count += 1
+        task = self._client.submit(
+            solve_one,
+            problem,
+            accuracy,
+            fields,
+            workers=[lane[0]],
+            allow_other_workers=True,
+            pure=False,
+            key=f"softlube-{id(self)}-{self._count}",
+        )
+        result: Future[Outcome] = Future()
+
+        def hand_on(done: Any) -> None:
+            if done.cancelled():
+                lost = "the connection to the cluster was lost; what is finished is kept, run again to take it up"
+                result.set_exception(ConnectionResetError(errno.ECONNRESET, lost, "scheduler"))
+                return
+            error = done.exception()
+            if isinstance(error, KilledWorker):
+                error = WorkerDied("it took several workers down")
+            if error is not None:
+                result.set_exception(error)
+            else:
+                result.set_result(done.result())
+
+        task.add_done_callback(hand_on)
+        result.task = task  # type: ignore[attr-defined]  # the cluster forgets a task that nobody holds
+        return result
+
+    def close(self, *, wait: bool) -> None:
+        """Leave the cluster as it was."""
+        self._client.close()

@@ -1,0 +1,125 @@
+"""Results of a sweep as a tidy table (CSV, Parquet) and as NetCDF files."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from softlube.contact import KINDS, UNITS
+from softlube.errors import InputError
+from softlube.files import check_destination, whole_file
+from softlube.solution import Quantity
+
+if TYPE_CHECKING:
+    import pandas
+
+    from softlube.sweeps.plan import Case
+    from softlube.sweeps.run import Sweep
+    from softlube.sweeps.work import Outcome
+
+FORMATS = (".csv", ".parquet")
+
+
+def check_table(name: str, path: str | os.PathLike[str]) -> Path:
+    """A path that a table can be written to.
+
+    Raises
+    ------
+    InputError
+        If the ending is neither .csv nor .parquet, the folder does not exist, or Parquet is not installed.
+    """
+    checked = check_destination(name, path)
+    if checked.suffix.lower() not in FORMATS:
+        raise InputError(f"{name}: expected a file ending in {' or '.join(FORMATS)}, got {str(path)!r}")
+    if checked.suffix.lower() == ".parquet":
+        from importlib.util import find_spec
+
+        if find_spec("pyarrow") is None:
+            raise InputError(f"{name}: Parquet needs the extra parquet: pip install 'softlube[parquet]'; or give a .csv file")
+    return checked
+
+
+def to_table(result: Sweep) -> pandas.DataFrame:
+    """One row a case, in the plan's order.
+
+    Columns are the inputs, status ("done", "failed") and reason, β of Eqs. (6d) and (30), and every quantity with its error.
+    Physical cases have their quantities in SI, with the unit in the header ("film_min [m]"), so that the file can be read again
+    as a table of cases; dimensionless ones in the paper's normalisation.  The order and the numbers depend on the plan alone,
+    not on who solved what and when.
+    """
+    import pandas as pd
+
+    rows = []
+    for number, (case, key) in enumerate(zip(result.plan.cases, result.keys, strict=True), 1):
+        outcome = result.outcomes[key]
+        row: dict[str, Any] = {"case": number}
+        for name, value in case.inputs.items():
+            row[f"{name} [{KINDS[name][0]}]" if name in KINDS else name] = value
+        row |= {"status": "failed" if outcome.failed else "done", "reason": outcome.reason}
+        for name, value in _numbers(case, outcome).items():
+            row.setdefault(name, value)
+        rows.append(row)
+    return pd.DataFrame(rows)
+
+
+def _numbers(case: Case, outcome: Outcome) -> dict[str, float]:
+    if outcome.failed:
+        name = "beta_load" if case.problem.load_controlled else "beta"
+        return {name: case.problem.parameter}
+    row = {"beta": outcome.beta, "beta_load": outcome.beta_load}
+    quantities = {name: Quantity(value, error) for name, (value, error) in outcome.quantities.items()}
+    dimensional = case.contact.dimensional(quantities) if case.contact is not None else {}
+    for name, quantity in (quantities | dimensional).items():
+        unit = f" [{UNITS[name]}]" if name in dimensional and UNITS[name] else ""
+        row[f"{name}{unit}"] = float(quantity)
+        row[f"{name}_error{unit}"] = quantity.error
+    return row
+
+
+def save_table(table: pandas.DataFrame, path: str | os.PathLike[str]) -> None:
+    """Write a table as CSV or Parquet, whole or not at all.
+
+    Raises
+    ------
+    InputError
+        See `check_table`.
+    """
+    path = check_table("output", path)
+    with whole_file(path) as temporary:
+        if path.suffix.lower() == ".csv":
+            table.to_csv(temporary, index=False)
+        else:
+            table.to_parquet(temporary, index=False)
+
+
+def write_fields(result: Sweep, folder: str | os.PathLike[str]) -> list[Path]:
+    """Write every solved case as a NetCDF file that `softlube.load` reads, with its fields in SI if it is physical.
+
+    Raises
+    ------
+    InputError
+        If the folder cannot be made, or the fields were not kept.
+    """
+    from softlube.io import load
+
+    folder = Path(folder)
+    check_destination("fields", folder / "case-00001.nc") if folder.is_dir() else folder.mkdir()
+    written = []
+    for number, (case, key) in enumerate(zip(result.plan.cases, result.keys, strict=True), 1):
+        outcome = result.outcomes[key]
+        if outcome.failed:
+            continue
+        if outcome.fields is None:
+            raise InputError("fields: were not kept by this sweep; run it with fields=True")
+        with tempfile.TemporaryDirectory() as scratch:
+            stored = Path(scratch) / "solution.nc"
+            stored.write_bytes(outcome.fields)
+            solution = load(stored)
+        if case.contact is not None:
+            solution = case.contact.interpret(solution)
+        path = folder / f"case-{number:05d}.nc"
+        solution.save(path)
+        written.append(path)
+    return written

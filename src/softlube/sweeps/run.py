@@ -1,0 +1,305 @@
+"""The sweep itself: problems to lanes, outcomes to the store, each at once."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections import deque
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from softlube.errors import InputError
+from softlube.problem import Problem
+from softlube.sweeps.executors import Dask, Executor, Local, WorkerDied
+from softlube.sweeps.plan import Plan, make_plan, read_plan
+from softlube.sweeps.store import LEASE, Store
+from softlube.sweeps.work import Outcome, content_key, solver_version
+
+if TYPE_CHECKING:
+    import pandas
+
+MOST_DEATHS = 2
+"""Times that a problem may take its worker's process with it before it counts as failed."""
+BEAT = 0.5
+"""Seconds after which the loop looks up at the latest: at workers that came, claims to renew, the other processes' results."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a sweep has come, in problems (cases that share one count once).
+
+    Attributes
+    ----------
+    total, done : int
+        Problems of the plan; those with an outcome.
+    found : int
+        Of these, the ones that were in the store at the start.
+    failed : int
+        Failures met by this run.
+    """
+
+    total: int
+    done: int
+    found: int
+    failed: int
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """A finished sweep.
+
+    Attributes
+    ----------
+    plan : Plan
+    keys : tuple of str
+        Of every case, in the plan's order.
+    outcomes : mapping of str to Outcome
+        By key.
+    """
+
+    plan: Plan
+    keys: tuple[str, ...]
+    outcomes: Mapping[str, Outcome]
+
+    @property
+    def n_failed(self) -> int:
+        """Cases without a solution."""
+        return sum(self.outcomes[key].failed for key in self.keys)
+
+    @property
+    def table(self) -> pandas.DataFrame:
+        """One row a case: inputs, status, quantities and their errors, units in the headers."""
+        from softlube.sweeps.results import to_table
+
+        return to_table(self)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the table as CSV or Parquet, by the file's ending, whole or not at all."""
+        from softlube.sweeps.results import save_table
+
+        save_table(self.table, path)
+
+    def save_fields(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Write the solution of every solved case as NetCDF (case-00001.nc for the table's case 1); needs ``fields=True``."""
+        from softlube.sweeps.results import write_fields
+
+        return write_fields(self, folder)
+
+
+class Stretches:
+    """Problems in the order of β, a stretch for every lane; one that has none left takes half of the longest.
+
+    Neighbouring β share grids, so a lane that walks along β builds few elastic operators.
+    """
+
+    def __init__(self, keys: Sequence[str]) -> None:
+        self._unowned = deque(keys)
+        self._owned: dict[Hashable, deque[str]] = {}
+
+    def __len__(self) -> int:
+        return len(self._unowned) + sum(map(len, self._owned.values()))
+
+    def share(self, lanes: Sequence[Hashable]) -> None:
+        """Give lanes that have come a stretch, and take it from lanes that are gone."""
+        for lane in [lane for lane in self._owned if lane not in lanes]:
+            self._unowned.extend(self._owned.pop(lane))
+        newcomers = [lane for lane in lanes if lane not in self._owned]
+        for number, lane in enumerate(newcomers):
+            count = -(-len(self._unowned) // (len(newcomers) - number))
+            self._owned[lane] = deque(self._unowned.popleft() for _ in range(count))
+
+    def take(self, lane: Hashable) -> str | None:
+        """The lane's next problem; none for a lane that is gone."""
+        own = self._owned.get(lane)
+        if own is None:
+            return None
+        if not own:
+            longest = max([*self._owned.values(), self._unowned], key=len)
+            own.extend(reversed([longest.pop() for _ in range(-(-len(longest) // 2))]))
+        return own.popleft() if own else None
+
+    def put_back(self, lane: Hashable, key: str) -> None:
+        """A problem that is to be solved again."""
+        self._owned.get(lane, self._unowned).appendleft(key)
+
+
+def sweep(
+    plan: Plan | Mapping[str, Any] | str | os.PathLike[str],
+    *,
+    store: str | os.PathLike[str] | None = None,
+    combine: str = "product",
+    accuracy: float = 1e-3,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    fields: bool = False,
+    retry_failed: bool = False,
+    progress: Callable[[Progress], None] | None = None,
+) -> Sweep:
+    """Solve many contacts and keep each as soon as it is solved.
+
+    Cases with the same β are solved once.  A run that was killed is taken up where it was by running it again.
+
+    Parameters
+    ----------
+    plan : Plan, mapping or path
+        A plan, a TOML file, or parameters as for `softlube.sweeps.plan.make_plan`.
+    store : path, optional
+        Database of the outcomes; without it nothing is kept on disk.
+    combine, accuracy
+        For parameters given as a mapping; see `softlube.sweeps.plan.make_plan`.
+    workers : int, optional
+        Processes on this machine; as many as it has cores if not given.
+    scheduler : str, optional
+        Address of a Dask scheduler, "tcp://host:8786", to solve on its workers instead.
+    fields : bool
+        Keep the fields, too.
+    retry_failed : bool
+        Solve again what is stored as a failure.
+    progress : callable, optional
+        Called with a `Progress` after every outcome.
+
+    Returns
+    -------
+    Sweep
+
+    Raises
+    ------
+    InputError
+        If the plan, the store or the scheduler is not as it should be.  A case that cannot be solved raises nothing: it is a
+        row of the table that says why.
+
+    Examples
+    --------
+    >>> import softlube
+    >>> result = softlube.sweep({"beta": [300, 1000]}, accuracy=0.01, workers=1)
+    >>> result.table["film_center"].round(3).tolist()
+    [0.033, 0.016]
+    """
+    if not isinstance(plan, Plan):
+        plan = make_plan(plan, combine=combine, accuracy=accuracy) if isinstance(plan, Mapping) else read_plan(plan)
+    if scheduler is not None and workers is not None:
+        raise InputError("workers, scheduler: give one of them; the cluster has its own workers")
+    problems: dict[str, Problem] = {}
+    keys = []
+    for case in plan.cases:
+        key = content_key(case.problem, plan.accuracy)
+        problems.setdefault(key, case.problem)
+        keys.append(key)
+    # Before the store: what is refused leaves no file behind.
+    executor: Executor = Local(workers) if scheduler is None else Dask(scheduler)
+    finished = False
+    try:
+        with Store(":memory:" if store is None else store) as kept:
+            _Run(plan.accuracy, problems, kept, fields, retry_failed, progress).go(executor)
+            finished = True
+            return Sweep(plan, tuple(keys), kept.outcomes(problems, fields=fields))
+    finally:
+        executor.close(wait=finished)
+
+
+class _Run:
+    """State of one call of `sweep`."""
+
+    def __init__(
+        self,
+        accuracy: float,
+        problems: Mapping[str, Problem],
+        store: Store,
+        fields: bool,
+        retry_failed: bool,
+        progress: Callable[[Progress], None] | None,
+    ) -> None:
+        self.accuracy = accuracy
+        self.problems = problems
+        self.store = store
+        self.fields = fields
+        self.retry_failed = retry_failed
+        self.progress = progress
+        settled = store.settled(problems, fields=fields, retry_failed=retry_failed)
+        self.found = self.done = len(settled)
+        self.failed = 0
+        order = sorted((key for key in problems if key not in settled), key=lambda key: problems[key].parameter)
+        self.pending = Stretches(order)
+        self.flying: dict[Future[Outcome], tuple[Hashable, str]] = {}
+        self.ready: dict[Hashable, str] = {}
+        self.deaths: dict[str, int] = {}
+        self.theirs: deque[str] = deque()
+        self.renewed = time.monotonic()
+        self._report()
+
+    def go(self, executor: Executor) -> None:
+        """Solve all that is pending."""
+        while self.pending or self.flying or self.ready or self.theirs:
+            self._fill(executor)
+            for lane, _ in list(self.flying.values()):  # so that no worker waits for the store when it is done
+                if lane not in self.ready and (key := self._claim(lane)) is not None:
+                    self.ready[lane] = key
+            if self.flying:
+                finished = wait(self.flying, timeout=BEAT, return_when=FIRST_COMPLETED).done
+                landed = [(future, *self.flying.pop(future)) for future in finished]
+                if landed:
+                    self._fill(executor)
+                for future, lane, key in landed:
+                    self._land(future, lane, key)
+            else:
+                time.sleep(BEAT / 2)
+            if time.monotonic() - self.renewed > LEASE / 6:
+                self.store.renew()
+                self.renewed = time.monotonic()
+
+    def _fill(self, executor: Executor) -> None:
+        """A problem for every lane that has none."""
+        lanes = executor.lanes()
+        self.pending.share(lanes)
+        for lane in [lane for lane in self.ready if lane not in lanes]:
+            self.pending.put_back(lane, self.ready.pop(lane))
+        busy = {lane for lane, _ in self.flying.values()}
+        for lane in lanes:
+            if lane in busy:
+                continue
+            key = self.ready.pop(lane, None) or self._claim(lane)
+            if key is None and self.ready:  # what another lane has not begun
+                _, key = self.ready.popitem()
+            if key is not None:
+                self.flying[executor.submit(lane, self.problems[key], self.accuracy, self.fields)] = lane, key
+
+    def _claim(self, lane: Hashable) -> str | None:
+        """The lane's next problem that is ours to solve."""
+        while (key := self._next(lane)) is not None:
+            claim = self.store.claim(key, fields=self.fields, retry_failed=self.retry_failed)
+            if claim == "ours":
+                return key
+            if claim == "settled":
+                self.done += 1
+                self._report()
+            else:
+                self.theirs.append(key)
+                if not self.pending:
+                    return None  # nothing but what other processes are at: look again later
+        return None
+
+    def _next(self, lane: Hashable) -> str | None:
+        key = self.pending.take(lane)
+        return key if key is not None else (self.theirs.popleft() if self.theirs else None)
+
+    def _land(self, future: Future[Outcome], lane: Hashable, key: str) -> None:
+        """Keep what came of a problem."""
+        try:
+            outcome = future.result()
+        except WorkerDied as error:
+            self.deaths[key] = self.deaths.get(key, 0) + 1
+            if self.deaths[key] < MOST_DEATHS:
+                self.pending.put_back(lane, key)
+                return
+            outcome = Outcome(f"the process that solved it died {MOST_DEATHS} times ({error})")
+        self.store.save(key, self.problems[key], self.accuracy, solver_version(), outcome)
+        self.done += 1
+        self.failed += outcome.failed
+        self._report()
+
+    def _report(self) -> None:
+        if self.progress is not None:
+            self.progress(Progress(len(self.problems), self.done, self.found, self.failed))

@@ -1,0 +1,93 @@
+"""The same sweep on a Dask cluster: same store, same table, also when a worker is killed."""
+
+import subprocess
+import sys
+import time
+
+import pandas as pd
+import pytest
+
+import softlube
+
+distributed = pytest.importorskip("distributed")
+
+PARAMETERS = {"beta": [50.0, 100.0, 200.0, 1e12]}
+ROUGH = 0.05
+
+
+def test_a_cluster_gives_the_same_table(tmp_path):
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
+    ) as cluster:
+        on_cluster = softlube.sweep(PARAMETERS, accuracy=ROUGH, store=tmp_path / "store", scheduler=cluster.scheduler_address)
+    here = softlube.sweep(PARAMETERS, accuracy=ROUGH, workers=1)
+    pd.testing.assert_frame_equal(on_cluster.table, here.table, check_exact=True)
+    assert on_cluster.table["status"].tolist() == ["done", "done", "done", "failed"]
+
+
+@pytest.mark.parametrize(
+    ("address", "message"), [("nonsense", "cannot reach 'nonsense'"), ("tcp://127.0.0.1:9", "cannot reach")]
+)
+def test_no_scheduler_there(address, message, monkeypatch):
+    monkeypatch.setattr("softlube.sweeps.executors.JOIN_TIMEOUT", 2.0)
+    with pytest.raises(softlube.InputError, match=message):
+        softlube.sweep(PARAMETERS, scheduler=address)
+
+
+def test_a_lost_connection_is_no_failure_of_the_case():
+    from softlube.problem import Problem
+    from softlube.sweeps.executors import Dask
+
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
+    ) as cluster:
+        executor = Dask(cluster.scheduler_address)
+        (lane,) = executor.lanes()
+        future = executor.submit(lane, Problem(beta=1000), 1e-3, False)
+        future.task.cancel()
+        with pytest.raises(ConnectionResetError, match="run again to take it up"):
+            future.result(60)
+        executor.close(wait=False)
+
+
+@pytest.mark.slow
+def test_a_worker_killed_midway(tmp_path):
+    """Two worker processes, one of them killed when a third of the cases is there."""
+    parameters = {"beta": {"from": 30.0, "to": 3000.0, "count": 60}}
+    file = tmp_path / "scheduler.json"
+
+    def start(what, *options):
+        command = [
+            sys.executable,
+            "-m",
+            f"distributed.cli.dask_{what}",
+            "--scheduler-file",
+            str(file),
+            "--no-dashboard",
+            *options,
+        ]
+        return subprocess.Popen(command, cwd=tmp_path)
+
+    processes = [start("scheduler", "--port", "0", "--host", "127.0.0.1")]
+    try:
+        while not file.exists():
+            time.sleep(0.1)
+        processes += [start("worker", "--nthreads", "1", "--no-nanny") for _ in range(2)]
+        with distributed.Client(scheduler_file=str(file)) as client:
+            client.wait_for_workers(2, timeout=120)
+            address = client.scheduler.address
+        killed = []
+
+        def kill_one(state):
+            if state.done > 20 and not killed:
+                processes[-1].kill()
+                killed.append(state.done)
+
+        on_cluster = softlube.sweep(parameters, accuracy=ROUGH, scheduler=address, progress=kill_one)
+    finally:
+        for process in reversed(processes):
+            process.terminate()
+            process.wait()
+    assert killed
+    assert killed[0] < 60
+    pd.testing.assert_frame_equal(on_cluster.table, softlube.sweep(parameters, accuracy=ROUGH).table, check_exact=True)

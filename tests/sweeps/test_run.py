@@ -1,0 +1,294 @@
+"""Sweeps: right numbers, failures as rows, nothing solved twice, workers that die, several processes at one store."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import Future
+
+import pandas as pd
+import pytest
+
+import softlube
+from softlube.problem import Problem
+from softlube.sweeps import Store
+from softlube.sweeps.executors import Local, WorkerDied
+from softlube.sweeps.run import Stretches, _Run
+from softlube.sweeps.work import Outcome, solve_one
+
+BALL = {
+    "radius": "2 mm",
+    "young_modulus": "3 MPa",
+    "viscosity": "2 Pa s",
+    "load": ["50 mN", "100 mN"],
+    "speed": ["1 mm/s", "3 mm/s"],
+}
+ROUGH = 0.02
+
+
+@pytest.fixture(scope="module")
+def swept(tmp_path_factory):
+    """Four physical cases with their fields, and the store."""
+    store = tmp_path_factory.mktemp("sweep") / "store"
+    return softlube.sweep(BALL, accuracy=ROUGH, store=store, fields=True, workers=2), store
+
+
+def test_numbers_are_those_of_solve(swept):
+    result, _ = swept
+    for number, (load, speed) in enumerate(
+        [("50 mN", "1 mm/s"), ("50 mN", "3 mm/s"), ("100 mN", "1 mm/s"), ("100 mN", "3 mm/s")]
+    ):
+        row = result.table.iloc[number]
+        solution = softlube.Contact(**BALL | {"load": load, "speed": speed}).solve(accuracy=ROUGH)
+        assert row["status"] == "done"
+        assert row["beta"] == pytest.approx(solution.beta, rel=1e-9)
+        assert row["load [N]"] == solution.contact.load
+        for name, unit in (("film_min", "m"), ("friction_domain", "N"), ("indentation", "m"), ("pressure_max", "Pa")):
+            assert row[f"{name} [{unit}]"] == pytest.approx(solution.dimensional[name], rel=1e-8)
+            assert row[f"{name}_error [{unit}]"] == pytest.approx(solution.dimensional[name].error, rel=1e-4, abs=1e-30)
+        assert row["friction_coefficient"] == pytest.approx(solution.dimensional["friction_coefficient"], rel=1e-8)
+
+
+def test_a_second_run_solves_nothing_and_gives_the_same(swept):
+    result, store = swept
+    states = []
+    again = softlube.sweep(BALL, accuracy=ROUGH, store=store, progress=states.append)
+    assert [(state.total, state.done, state.found) for state in states] == [(4, 4, 4)]
+    pd.testing.assert_frame_equal(again.table, result.table, check_exact=True)
+    with Store(store) as kept:
+        assert set(kept.counts().values()) == {1}
+
+
+def test_another_accuracy_is_another_case(swept):
+    _, store = swept
+    with Store(store) as kept:
+        before = len(kept.counts())
+    softlube.sweep(BALL | {"load": "50 mN", "speed": "1 mm/s"}, accuracy=0.03, store=store, workers=1)
+    with Store(store) as kept:
+        assert len(kept.counts()) == before + 1
+
+
+def test_fields_are_saved_in_si(swept, tmp_path):
+    result, _ = swept
+    paths = result.save_fields(tmp_path / "fields")
+    assert [path.name for path in paths] == [f"case-{n:05d}.nc" for n in (1, 2, 3, 4)]
+    solution = softlube.load(paths[2])
+    assert solution.contact == result.plan.cases[2].contact
+    assert solution.dimensional["film_min"] == result.table["film_min [m]"][2]
+
+
+def test_fields_that_were_not_kept_are_missed(tmp_path):
+    result = softlube.sweep({"beta": 100}, accuracy=ROUGH, workers=1)
+    with pytest.raises(softlube.InputError, match="fields: were not kept"):
+        result.save_fields(tmp_path / "fields")
+
+
+def test_csv_and_parquet_hold_the_table(swept, tmp_path):
+    result, _ = swept
+    result.save(tmp_path / "a.csv")
+    result.save(tmp_path / "a.parquet")
+    from_csv = pd.read_csv(tmp_path / "a.csv", keep_default_na=False)
+    pd.testing.assert_frame_equal(from_csv, result.table, rtol=1e-15)
+    pd.testing.assert_frame_equal(pd.read_parquet(tmp_path / "a.parquet"), result.table, check_exact=True)
+    with pytest.raises(softlube.InputError, match=r"expected a file ending in \.csv or \.parquet"):
+        result.save(tmp_path / "a.xlsx")
+
+
+def test_a_table_of_results_is_a_table_of_cases(swept, tmp_path):
+    result, store = swept
+    result.save(tmp_path / "cases.csv")
+    columns = {name: {"csv": str(tmp_path / "cases.csv")} for name in ("radius", "young_modulus", "viscosity", "load", "speed")}
+    again = softlube.sweep(columns, accuracy=ROUGH, store=store)
+    pd.testing.assert_frame_equal(again.table, result.table, check_exact=True)
+
+
+def test_a_failed_case_is_a_row_with_its_reason_and_stops_nothing(tmp_path):
+    store = tmp_path / "store"
+    parameters = {"beta": [1e12, 100.0, 300.0]}
+    result = softlube.sweep(parameters, accuracy=ROUGH, store=store, workers=1)
+    assert result.table["status"].tolist() == ["failed", "done", "done"]
+    assert "outside the range" in result.table["reason"][0]
+    assert result.n_failed == 1
+
+    def solved():
+        with Store(store) as kept:
+            return [kept.counts()[key] for key in result.keys]
+
+    softlube.sweep(parameters, accuracy=ROUGH, store=store, workers=1)
+    assert solved() == [1, 1, 1]
+    again = softlube.sweep(parameters, accuracy=ROUGH, store=store, workers=1, retry_failed=True)
+    assert solved() == [2, 1, 1]
+    pd.testing.assert_frame_equal(again.table, result.table, check_exact=True)
+
+
+def test_cases_of_equal_beta_share_a_solve():
+    states = []
+    viscosity = {"viscosity": ["1 Pa s", "2 Pa s"], "speed": ["2 mm/s", "1 mm/s"], "load": "50 mN"}
+    result = softlube.sweep(BALL | viscosity, combine="zip", accuracy=ROUGH, workers=1, progress=states.append)
+    assert states[-1].total == 1
+    assert result.table["film_min [m]"].nunique() == 1
+    assert result.table["shear_rate_max [1/s]"][0] == pytest.approx(2 * result.table["shear_rate_max [1/s]"][1])
+
+
+def test_workers_and_scheduler_exclude_each_other():
+    with pytest.raises(softlube.InputError, match="workers, scheduler"):
+        softlube.sweep({"beta": 10}, workers=1, scheduler="tcp://127.0.0.1:1")
+    with pytest.raises(softlube.InputError, match="workers: expected a positive"):
+        softlube.sweep({"beta": 10}, workers=0)
+
+
+def test_an_unexpected_error_is_a_failure_of_its_case(monkeypatch):
+    def defect(*arguments, **options):
+        raise ZeroDivisionError("a defect")
+
+    monkeypatch.setattr("softlube.solver.solve_problem", defect)
+    assert solve_one(Problem(beta=10), 1e-3, False).reason == "ZeroDivisionError: a defect"
+
+
+def test_a_killed_worker_is_noticed_and_replaced():
+    executor = Local(1)
+    problem = Problem(beta=100)
+    assert not executor.submit(0, problem, ROUGH, False).result(60).failed
+    (process,) = executor._pools[0]._processes
+    future = executor.submit(0, Problem(beta=2e5), 2e-4, False)
+    os.kill(process, signal.SIGKILL)
+    with pytest.raises(WorkerDied):
+        future.result(60)
+    assert not executor.submit(0, problem, ROUGH, False).result(60).failed
+    executor.close(wait=True)
+
+
+def test_workers_end_with_a_killed_sweep(tmp_path):
+    script = (
+        "import os, signal\n"
+        "from softlube.sweeps.executors import Local\n"
+        "from softlube.problem import Problem\n"
+        "executor = Local(1)\n"
+        "executor.submit(0, Problem(beta=100), 0.05, False).result()\n"
+        "print(*executor._pools[0]._processes, flush=True)\n"
+        "os.kill(os.getpid(), signal.SIGKILL)\n"
+    )
+    killed = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+    assert killed.returncode == -signal.SIGKILL
+    worker = int(killed.stdout)
+    deadline = time.monotonic() + 20
+    while time.monotonic() < deadline:
+        try:
+            os.kill(worker, 0)
+        except ProcessLookupError:
+            return
+        time.sleep(0.1)
+    pytest.fail("the worker is still there")
+
+
+class Deadly:
+    """An executor whose worker dies over some problems a number of times."""
+
+    def __init__(self, deaths):
+        self.deaths = deaths
+
+    def lanes(self):
+        return ["lane"]
+
+    def submit(self, lane, problem, accuracy, fields):
+        future = Future()
+        if self.deaths.get(problem.beta, 0):
+            self.deaths[problem.beta] -= 1
+            future.set_exception(WorkerDied("killed"))
+        else:
+            future.set_result(Outcome("", problem.beta, problem.beta, {"film_min": (1.0, 0.1)}))
+        return future
+
+    def close(self, *, wait):
+        pass
+
+
+def test_a_problem_that_kills_its_worker_twice_has_failed():
+    problems = {str(beta): Problem(beta=beta) for beta in (1, 2, 3)}
+    with Store(":memory:") as store:
+        _Run(1e-3, problems, store, False, False, None).go(Deadly({1: 1, 2: 2}))
+        found = store.outcomes(problems)
+    assert [found[key].failed for key in ("1", "2", "3")] == [False, True, False]
+    assert "died 2 times" in found["2"].reason
+
+
+def test_every_lane_walks_along_beta_and_helps_the_slowest():
+    stretches = Stretches([str(n) for n in range(10)])
+    stretches.share(["a", "b"])
+    assert [stretches.take("a") for _ in range(5)] == list("01234")
+    assert stretches.take("b") == "5"
+    assert [stretches.take("a") for _ in range(2)] == ["8", "9"]  # half of what b has left
+    stretches.share(["a", "c"])  # b has gone, c has come
+    assert stretches.take("b") is None
+    assert sorted(filter(None, (stretches.take(lane) for lane in "acac"))) == ["6", "7"]
+    assert len(stretches) == 0
+    assert stretches.take("a") is None
+
+
+COMMAND = [sys.executable, "-c", "from softlube.cli import main; raise SystemExit(main())", "sweep"]
+PLAN = """
+[sweep]
+accuracy = 0.05
+[parameters]
+beta = { from = 30, to = 3000, count = %d }
+"""
+
+
+def test_two_processes_at_one_store_share_the_work_and_lose_nothing(tmp_path):
+    plan, store = tmp_path / "plan.toml", tmp_path / "both.sweep"
+    plan.write_text(PLAN % 24)
+    both = [
+        subprocess.Popen([*COMMAND, str(plan), "--store", str(store), "--workers", "1", "--output", str(tmp_path / f"{n}.csv")])
+        for n in (1, 2)
+    ]
+    assert [process.wait(300) for process in both] == [0, 0]
+    with Store(store) as kept:
+        counts = kept.counts()
+    assert len(counts) == 24
+    assert set(counts.values()) == {1}
+    assert (tmp_path / "1.csv").read_bytes() == (tmp_path / "2.csv").read_bytes()
+    table = pd.read_csv(tmp_path / "1.csv")
+    assert (table["status"] == "done").all()
+
+
+def _killed(tmp_path, cases, kills):
+    """Kill a sweep at random moments and resume it; the tables of the uninterrupted and of the resumed run, and the counts."""
+    import random
+
+    plan = tmp_path / "plan.toml"
+    plan.write_text(PLAN % cases)
+
+    def command(name):
+        return [*COMMAND, str(plan), "--store", str(tmp_path / f"{name}.sweep"), "--output", str(tmp_path / f"{name}.csv")]
+
+    began = time.monotonic()
+    subprocess.run(command("whole"), check=True, timeout=600)
+    whole = time.monotonic() - began
+    chance = random.Random(7)
+    for _ in range(kills):
+        process = subprocess.Popen(command("killed"))
+        try:
+            process.wait(chance.uniform(0, max(1.5 * whole / kills, 0.7 * whole)))
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+    subprocess.run(command("killed"), check=True, timeout=600)
+    with Store(tmp_path / "killed.sweep") as kept:
+        counts = kept.counts()
+    return (tmp_path / "whole.csv").read_bytes(), (tmp_path / "killed.csv").read_bytes(), counts
+
+
+def test_killed_and_resumed(tmp_path):
+    whole, killed, counts = _killed(tmp_path, 30, 3)
+    assert killed == whole
+    assert len(counts) == 30
+    assert set(counts.values()) == {1}
+
+
+@pytest.mark.slow
+def test_killed_twenty_times_and_resumed(tmp_path):
+    whole, killed, counts = _killed(tmp_path, 150, 20)
+    assert killed == whole
+    assert len(counts) == 150
+    assert set(counts.values()) == {1}

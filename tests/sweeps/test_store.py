@@ -1,0 +1,131 @@
+"""The store: whole or not at all, claims, and files that are no store."""
+
+import sqlite3
+import time
+
+import pytest
+
+import softlube
+from softlube.problem import Problem
+from softlube.sweeps import store as store_module
+from softlube.sweeps.store import Store
+from softlube.sweeps.work import Outcome, _sources, content_key, solver_version
+
+DONE = Outcome("", 10.0, 12.0, {"film_min": (0.1, 1e-4), "boundary_layer": (float("nan"), float("nan"))})
+FAILED = Outcome("too light")
+ASKED = {"fields": False, "retry_failed": False}
+
+
+def save(store, key, outcome):
+    store.save(key, Problem(beta=10), 1e-3, "1", outcome)
+
+
+def test_what_is_saved_is_found_by_another_process_s_eyes(tmp_path):
+    with Store(tmp_path / "s") as first, Store(tmp_path / "s") as second:
+        save(first, "a", DONE)
+        save(first, "b", FAILED)
+        found = second.outcomes(["a", "b", "c"])
+    assert set(found) == {"a", "b"}
+    assert (found["a"].beta, found["a"].quantities["film_min"]) == (10.0, (0.1, 1e-4))
+    assert found["b"].failed
+    assert found["b"].reason == "too light"
+
+
+def test_what_counts_as_settled(tmp_path):
+    with Store(tmp_path / "s") as store:
+        save(store, "a", DONE)
+        save(store, "b", FAILED)
+        keys = ["a", "b", "c"]
+        assert store.settled(keys, fields=False, retry_failed=False) == {"a", "b"}
+        assert store.settled(keys, fields=False, retry_failed=True) == {"a"}
+        assert store.settled(keys, fields=True, retry_failed=False) == {"b"}
+
+
+def test_a_failure_never_takes_the_place_of_a_solution(tmp_path):
+    with Store(tmp_path / "s") as store:
+        save(store, "a", FAILED)
+        save(store, "a", DONE)
+        save(store, "a", FAILED)
+        assert not store.outcomes(["a"])["a"].failed
+        assert store.counts() == {"a": 3}
+
+
+def test_one_process_claims_and_the_other_waits(tmp_path):
+    with Store(tmp_path / "s") as first, Store(tmp_path / "s") as second:
+        assert first.claim("a", **ASKED) == "ours"
+        assert first.claim("a", **ASKED) == "ours"
+        assert second.claim("a", **ASKED) == "theirs"
+        save(first, "a", DONE)
+        assert second.claim("a", **ASKED) == "settled"
+        assert second.claim("a", fields=True, retry_failed=False) == "ours"
+
+
+def test_claims_end_with_the_process_or_when_they_are_not_renewed(tmp_path, monkeypatch):
+    with Store(tmp_path / "s") as second:
+        first = Store(tmp_path / "s")
+        first.claim("a", **ASKED)
+        first.claim("b", **ASKED)
+        now = time.time()
+        monkeypatch.setattr(store_module.time, "time", lambda: now + store_module.LEASE - 1)
+        assert second.claim("a", **ASKED) == "theirs"
+        first.renew()
+        monkeypatch.setattr(store_module.time, "time", lambda: now + store_module.LEASE + 1)
+        assert second.claim("a", **ASKED) == "theirs"
+        monkeypatch.setattr(store_module.time, "time", lambda: now + 3 * store_module.LEASE)
+        assert second.claim("a", **ASKED) == "ours"
+        monkeypatch.undo()
+        first.close()
+        assert second.claim("b", **ASKED) == "ours"
+
+
+def test_the_dead_claim_nothing(tmp_path):
+    import subprocess
+    import sys
+
+    dead = subprocess.Popen([sys.executable, "-c", ""])
+    dead.wait()
+    with Store(tmp_path / "s") as store:
+        store.claim("a", **ASKED)
+        store._connection.execute("UPDATE claims SET owner = 'another', process = ?", (dead.pid,))
+        assert store.claim("a", **ASKED) == "ours"
+
+
+def test_the_key_is_made_of_all_that_determines_a_solution(monkeypatch):
+    key = content_key(Problem(beta=10), 1e-3)
+    assert key == content_key(Problem(beta=10.0), 1e-3)
+    others = [
+        content_key(Problem(beta=11), 1e-3),
+        content_key(Problem(beta_load=10), 1e-3),
+        content_key(Problem(beta=10, cavitation="none"), 1e-3),
+        content_key(Problem(beta=10), 2e-3),
+    ]
+    monkeypatch.setattr("softlube.sweeps.work.solver_version", lambda: "another")
+    others.append(content_key(Problem(beta=10), 1e-3))
+    assert len({key, *others}) == 6
+
+
+def test_the_version_covers_the_code_that_solves_and_no_other():
+    names = set(_sources("solver"))
+    assert {"solver", "system", "newton", "reynolds", "elasticity", "grid", "quantities", "problem"} <= names
+    assert not names & {"cli", "contact", "io", "plotting", "experiments", "master", "stribeck", "tables"}
+
+
+def test_the_version_is_the_release_and_a_digest():
+    release, digest = solver_version().split("+")
+    assert release == softlube.__version__
+    assert len(digest) == 12
+
+
+@pytest.mark.parametrize("content", [b"not a database, whatever it is called, but long enough to be read as one" * 3, None])
+def test_no_store(tmp_path, content):
+    path = tmp_path / "s"
+    if content is None:
+        with sqlite3.connect(path) as other:
+            other.execute("CREATE TABLE birds (name TEXT)")
+        other.close()
+    else:
+        path.write_bytes(content)
+    before = path.read_bytes()
+    with pytest.raises(softlube.InputError, match="store: "):
+        Store(path)
+    assert path.read_bytes() == before
