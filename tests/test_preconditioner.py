@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import sparse
 
-from softlube.elasticity import half_space
+from softlube.elasticity import elastic_operator
 from softlube.grid import PolarGrid
 from softlube.newton import newton
 from softlube.preconditioner import Border, FilmEquation, local_stiffness
