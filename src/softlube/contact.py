@@ -32,6 +32,7 @@ KINDS = {
     "roughness": ("m", "a length such as '20 nm'"),
     "thickness": ("m", "a length such as '2 mm'"),
     "density": ("kg/m^3", "a density such as '970 kg/m^3'"),
+    "poisson_ratio": ("", "a number such as '0.45'"),
     "pressure_viscosity": ("1/Pa", "an inverse pressure such as '20 GPa^-1'"),
 }
 """Unit and example of every physical input."""
@@ -92,6 +93,8 @@ def to_si(name: str, value: object) -> float:
         parameter.
     """
     unit, expected = KINDS[name]
+    if not unit:
+        return _number(name, value)
     quantity: Any
     if isinstance(value, str):
         import pint
@@ -265,7 +268,7 @@ class Contact:
                 raise InputError(f"{', '.join(pair)}: {verb}; give exactly one, {' or '.join(KINDS[name][1] for name in pair)}")
         given |= {"load": load, "indentation": indentation, "roughness": roughness, "thickness": thickness, "density": density}
         given |= {"pressure_viscosity": pressure_viscosity}
-        ratio = _number("poisson_ratio", poisson_ratio)
+        ratio = to_si("poisson_ratio", poisson_ratio)
         check_poisson_ratio(ratio)
         values = {name: None if value is None else to_si(name, value) for name, value in given.items()}
         if young_modulus is not None:
@@ -299,8 +302,8 @@ class Contact:
     def unit_height(self) -> float:
         """Height that lengths are normalised with [m].
 
-        The indentation of a half-space under the load, Eq. (29), or |h₀| where that is prescribed; for h₀ = 0 the height that makes β = 1,
-        where the film is about as thick.
+        The indentation of a half-space under the load, Eq. (29), or |h₀| where that is prescribed; for h₀ = 0 the height that
+        makes β = 1, where the film is about as thick.
         """
         if self.load is not None:
             return (3 * self.load / (16 * self.contact_modulus * math.sqrt(self.radius))) ** (2 / 3)

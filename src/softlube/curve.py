@@ -234,7 +234,8 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
     """
     if (problem.substrate, problem.fluid) != (HalfSpace(), Newtonian()):
         raise InputError(
-            "thickness, pressure_viscosity: the master curve is for a half-space and constant viscosity; solve the problem instead"
+            "thickness, pressure_viscosity: the master curve is for a half-space and constant viscosity; "
+            "solve the problem instead"
         )
     if problem.height != -1:
         raise InputError("indentation: the master curve has no prescribed gaps; solve the problem instead")

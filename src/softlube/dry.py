@@ -22,12 +22,12 @@ from scipy.interpolate import CubicSpline
 
 from softlube.errors import NotConvergedError
 from softlube.limits import HERTZ_LOAD
-from softlube.substrates import Substrate
+from softlube.substrates import EVEN, Substrate
 
 Array = NDArray[np.floating]
 
 FEWEST_POINTS = 24
-POINTS_PER_WAVE = 0.15
+POINTS_PER_WAVE = 0.2
 """Quadrature points for each radian that the shortest wave of the remainder turns over the contact."""
 
 
@@ -65,17 +65,16 @@ class DryContact:
 
     def pressure(self, r: ArrayLike) -> Array:
         """Pressure at a distance r from the axis, −∫_r^a φ′(s)/√(s² − r²) ds."""
-        return abel_pressure(self.density, self.radius, r)
+        y = np.asarray(r, dtype=float) / self.radius
+        return self.smooth_part(np.minimum(y, 1)) * np.sqrt(np.maximum(1 - y**2, 0))
 
-
-def abel_pressure(density: CubicSpline, radius: float, r: ArrayLike) -> Array:
-    """−∫_r^a φ′(s)/√(s² − r²) ds for a density φ even in s that vanishes at a; zero beyond."""
-    r = np.asarray(r, dtype=float)[..., None]
-    x, weight = leggauss(48)
-    reach = np.sqrt(np.maximum(radius**2 - r**2, 0))
-    # s² = r² + τ² takes the root away; φ′(s)/s is smooth.
-    s = np.sqrt(r**2 + (reach * (x + 1) / 2) ** 2)
-    return -np.sum(density(s, 1) / np.maximum(s, 1e-12) * weight, axis=-1) * reach[..., 0] / 2
+    def smooth_part(self, y: ArrayLike) -> Array:
+        """Pressure at r = ya, 0 ≤ y ≤ 1, over √(1 − y²)."""
+        r = self.radius * np.asarray(y, dtype=float)[..., None]
+        x, weight = leggauss(48)
+        # s² = r² + τ² takes the root away; φ′(s)/s is smooth.
+        s = np.sqrt(r**2 + (self.radius**2 - r**2) * ((x + 1) / 2) ** 2)
+        return -self.radius / 2 * np.sum(self.density(s, 1) / np.maximum(s, 1e-12) * weight, axis=-1)
 
 
 @lru_cache(maxsize=512)
@@ -88,7 +87,7 @@ def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
     >>> dry_contact(HalfSpace(), 2.0).indentation
     4.0
     """
-    k, defect = substrate.spectrum()
+    k, defect = substrate.spectrum(2 * radius)
     n = FEWEST_POINTS + int(POINTS_PER_WAVE * radius * float(np.max(k, initial=0.0)))
     x, weight = leggauss(n)
     x, weight = radius * (x + 1) / 2, radius * weight / 2
@@ -107,7 +106,7 @@ def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
     s = radius * np.sin(np.linspace(0, np.pi / 2, 2 * n + 1))
     values = interpolated(phi, depth - s**2, s)
     values[-1] = 0.0
-    density = CubicSpline(s, values, bc_type=((1, 0.0), "not-a-knot"))
+    density = CubicSpline(s, values, bc_type=EVEN)
     # φ′(a) from the derivative of the equation; −2a/π² for Hertz.
     edge = 1 - np.pi / radius * float(np.sin(radius * k) @ (k * defect * (waves.T @ (weight * phi))))
     return DryContact(radius, depth, float(2 * np.pi * weight @ phi), edge, density)
@@ -127,11 +126,15 @@ def dry_contact_at(substrate: Substrate, *, indentation: float | None = None, lo
     """
     if (indentation is None) == (load is None):
         raise ValueError("indentation, load: give exactly one of them")
-    first = np.sqrt(indentation) if indentation is not None else float((load or 0.0) / HERTZ_LOAD) ** (1 / 3)
+    if indentation is not None:
+        wanted, first = indentation, indentation**0.5
+    else:
+        wanted = float(load)  # type: ignore[arg-type]
+        first = (wanted / HERTZ_LOAD) ** (1 / 3)
 
     def miss(log_radius: float) -> float:
         contact = dry_contact(substrate, float(np.exp(log_radius)))
-        return np.log(contact.indentation / indentation) if indentation is not None else np.log(contact.load / load)
+        return float(np.log((contact.load if indentation is None else contact.indentation) / wanted))
 
     here, value, slope = float(np.log(first)), miss(float(np.log(first))), 2.5
     for _ in range(40):
@@ -147,25 +150,34 @@ def dry_contact_at(substrate: Substrate, *, indentation: float | None = None, lo
     raise NotConvergedError(f"the dry contact on {substrate!r} was not found")
 
 
-SMEARED = 48
+SMEARED = 200
 """Contacts in a superposition."""
 
 
 def smeared_contact(substrate: Substrate, indentation: float, width: float) -> Callable[[ArrayLike], Array]:
     """Mean of dry contacts with radii spread over 1 ± width times that of an indentation, smooth at that scale.
 
-    Each leaves a gap that is nowhere negative, and so do all together, at the mean of their indentations.
+    Each leaves a gap that is nowhere negative, and so do all together, at the mean of their indentations, which is about the
+    one given (exactly on a half-space).  How the shape of the pressure changes with the radius is interpolated from three.
 
     Returns
     -------
     callable
         Pressure at a distance from the axis.
     """
-    radius = dry_contact_at(substrate, indentation=indentation).radius
-    radii = radius * (1 + width * np.cos(np.pi * (np.arange(SMEARED) + 0.5) / SMEARED))
-    contacts = [dry_contact(substrate, float(each)) for each in radii]
-    inner, outer = radius * (1 - width), radius * (1 + width)
-    s = np.concatenate([np.linspace(0, inner, 100)[:-1], np.linspace(inner, outer, 200)])
-    density = np.mean([np.where(s <= contact.radius, contact.density(s), 0.0) for contact in contacts], axis=0)
-    spline = CubicSpline(s, density, bc_type=((1, 0.0), "not-a-knot"))
-    return lambda r: abel_pressure(spline, outer, r)
+    spread = width * np.cos(np.pi * (np.arange(SMEARED) + 0.5) / SMEARED)
+    # δ is about a², so the mean of the depths is about this much more than that of the mean radius.
+    radius = dry_contact_at(substrate, indentation=indentation / float(np.mean((1 + spread) ** 2))).radius
+    y = np.linspace(0, 1, 201)
+    low, middle, high = (
+        CubicSpline(y, dry_contact(substrate, radius * (1 + part)).smooth_part(y)) for part in (-width, 0.0, width)
+    )
+    t = spread / width
+
+    def pressure(r: ArrayLike) -> Array:
+        y = np.asarray(r, dtype=float)[..., None] / (radius * (1 + spread))
+        inside = np.minimum(y, 1)
+        smooth = t * (t - 1) / 2 * low(inside) + (1 - t**2) * middle(inside) + t * (t + 1) / 2 * high(inside)
+        return np.mean(smooth * np.sqrt(1 - inside**2), axis=-1)
+
+    return pressure

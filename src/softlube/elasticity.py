@@ -138,6 +138,7 @@ def radial_operators(grid: PolarGrid, n_modes: int, harmonics: Kernels = ring_ke
     Parameters
     ----------
     grid : PolarGrid
+        Whose nodes carry the pressures.
     n_modes : int
         Number of harmonics.
     harmonics : callable

@@ -147,7 +147,7 @@ class Roelands:
         return replace(self, alpha=self.alpha * math.sqrt(unit), reference=self.reference / math.sqrt(unit))
 
     def _logarithm(self, pressure: Array) -> tuple[Array, Array]:
-        """ln η/η₀ and its derivative."""
+        """Ln η/η₀ and its derivative."""
         ratio = np.maximum(1 + pressure / self.reference, 1e-3)
         power = ratio ** (self.exponent - 1)
         value = self.alpha * self.reference / self.exponent * (power * ratio - 1)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from softlube import __version__, fluids, substrates
+from softlube import __version__
 from softlube.contact import Contact
 from softlube.errors import InputError
 from softlube.fields import Chart, Fields
@@ -34,18 +34,6 @@ def _plain(level: Level) -> dict[str, Any]:
 
 def _records(summaries: list[dict[str, Any]], method: str) -> tuple[Record, ...]:
     return tuple(Iteration(**summary) if method == "newton" else SavedRecord(summary) for summary in summaries)
-
-
-def _plain_problem(problem: Problem) -> dict[str, Any]:
-    """A problem in plain values; files of the paper's own model look as they always did."""
-    values = {name: getattr(problem, name) for name in ("beta", "beta_load", "cavitation", "height")}
-    models = {"substrate": substrates.to_plain(problem.substrate), "fluid": fluids.to_plain(problem.fluid)}
-    return values | {name: model for name, model in models.items() if len(model) > 1}
-
-
-def _problem(values: dict[str, Any]) -> Problem:
-    substrate, fluid = substrates.from_plain(values.pop("substrate", None)), fluids.from_plain(values.pop("fluid", None))
-    return Problem(**values, substrate=substrate, fluid=fluid)
 
 
 def _chart(stored: str) -> Chart:
@@ -93,7 +81,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
         "other_normalisation": other,
         "cavitation": solution.problem.cavitation,
         "accuracy": solution.accuracy,
-        "problem": json.dumps(_plain_problem(solution.problem)),
+        "problem": json.dumps(solution.problem.to_plain()),
         "grid": json.dumps(asdict(chart)) if isinstance(chart, PolarGrid) else POLAR,
         "levels": json.dumps([_plain(level) for level in solution.levels], default=float),
         "warnings": json.dumps(list(solution.warnings)),
@@ -152,7 +140,7 @@ def load(path: str | os.PathLike[str]) -> Solution:
     attrs: Mapping = data.attrs
     if "height" not in attrs:
         raise InputError(f"path: {str(path)!r} was written by an earlier version of softlube; solve and save it again")
-    problem = _problem(json.loads(attrs["problem"]))
+    problem = Problem.from_plain(json.loads(attrs["problem"]))
     quantities = read("")
     levels = json.loads(attrs["levels"])
     return Solution(

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
+from softlube import fluids, substrates
 from softlube.errors import InputError
 from softlube.fluids import Fluid, Newtonian
 from softlube.substrates import HalfSpace, Substrate
@@ -69,6 +71,21 @@ class Problem:
             raise InputError(f"height: expected -1 (indentation), 0 or 1 (gap), got {self.height!r}")
         if self.beta_load is not None and self.height != -1:
             raise InputError("height, beta_load: under a prescribed load the height is an unknown; leave it out")
+
+    def to_plain(self) -> dict[str, Any]:
+        """The problem in plain values, for files; one of the paper's model looks as it did before there were others."""
+        values: dict[str, Any] = {name: getattr(self, name) for name in ("beta", "beta_load", "cavitation", "height")}
+        models = {"substrate": substrates.to_plain(self.substrate), "fluid": fluids.to_plain(self.fluid)}
+        return values | {name: model for name, model in models.items() if len(model) > 1}
+
+    @classmethod
+    def from_plain(cls, values: Mapping[str, Any]) -> Problem:
+        """Inverse of `to_plain`."""
+        models: dict[str, Any] = {
+            "substrate": substrates.from_plain(values.get("substrate")),
+            "fluid": fluids.from_plain(values.get("fluid")),
+        }
+        return cls(**(dict(values) | models))
 
     @property
     def load_controlled(self) -> bool:

@@ -2,7 +2,8 @@
 
     ∇·(φu³∇p) + (1/β) ∂u/∂x = 0,
 
-φ = η₀/η(p) the fluid's fluidity, 1 in the paper.  In the uniform coordinates (ξ, s) the flux q = φu³∇p + (u/β) e_x balances as ∂_ξ(θ′ r q_r) + ∂_s(r′ q_θ) = 0 with r′ = dr/dξ and
+φ = η₀/η(p) the fluid's fluidity, 1 in the paper.  In the uniform coordinates (ξ, s) the flux q = φu³∇p + (u/β) e_x balances
+as ∂_ξ(θ′ r q_r) + ∂_s(r′ q_θ) = 0 with r′ = dr/dξ and
 θ′ = dθ/ds.  Fluxes live on the faces of the cells: gradient and film come from the four nearest nodes, the divergence from the
 four nearest faces.  The metric factors of the Couette flux are differences of sin θ and r themselves, so that a uniform film
 carries no pressure, exactly.
@@ -172,9 +173,7 @@ class ReynoldsOperator:
             balance = balance + face.divergence @ (poiseuille + speed * face.drag * (face.film + face.weight * face.bias))
         return -np.asarray(balance)
 
-    def derivatives(
-        self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT
-    ) -> tuple[Sparse, Sparse]:
+    def derivatives(self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT) -> tuple[Sparse, Sparse]:
         """Exact derivatives of `residual` by pressure and by film, each (unknown nodes, all nodes), sparse."""
         shape = (self.divergence[0].shape[0], self.slope[0].shape[1])
         by_pressure, by_film = sparse.csr_array(shape), sparse.csr_array(shape)

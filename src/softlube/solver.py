@@ -93,7 +93,8 @@ SMALLEST_BETA = 1e-6
 def unit_for(problem: Problem) -> float:
     """Unit of height that suits the mesh, over the problem's own: √unit is where the mesh is refined.
 
-    A contact has its edge, as found dry, at r = 1 (on a half-space the units are the same).  Where the film is thicker than the indentation, the pressure is as wide as the gap allows
+    A contact has its edge, as found dry, at r = 1 (on a half-space the units are the same).  Where the film is thicker than
+    the indentation, the pressure is as wide as the gap allows
     (the rigid sphere's is largest at r = 0.26 √(2h₀)).
     """
     pressed = _dry(problem).radius ** 2
@@ -144,7 +145,8 @@ def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
 def first_height(problem: Problem) -> float:
     """About the height under a load, in units of the load's Hertz indentation.
 
-    In the Hertz limit h₀ + 1 ~ β^(−3/5), and another substrate is as deep as dry.  A light load is carried by the rigid sphere's pressure, which goes like 1/(β√h₀), or
+    In the Hertz limit h₀ + 1 ~ β^(−3/5), and another substrate is as deep as dry.  A light load is carried by the rigid
+    sphere's pressure, which goes like 1/(β√h₀), or
     without the Reynolds condition by what the deformation adds to it, like 1/(β²h₀^(5/2)) (constants measured).
     """
     beta, dry = like_hertz(problem), _dry(problem)

@@ -30,18 +30,18 @@ Base = Literal["bonded", "frictionless"]
 
 LARGEST_WAVENUMBER = 22.0
 """κ beyond which C(κ) − 1 ~ κ² e^(−2κ) is below round-off."""
-PANELS, PANEL_POINTS = 44, 16
-"""Gauss quadrature over κ: enough for J₀(κs) up to s = `SCREENED`."""
+PANEL_POINTS, PANEL_PHASE = 16, 20.0
+"""Gauss quadrature over κ in panels: points on each, and radians that the fastest wave may turn on each."""
 SCREENED = 40.0
-"""Distance, over the thickness, beyond which the layer's kernel is zero to round-off: the nearest pole of C lies at Im κ > 1."""
+"""Distance, over the thickness, beyond which the layer's kernel is zero to round-off: the nearest pole of C has Im κ > 1."""
 TABLE_STEP = 0.02
 """Spacing of the table of the remainder, over the thickness; the cubic spline through it is good to 10⁻⁹."""
+EVEN: Any = ((1, 0.0), "not-a-knot")
+"""Ends of a spline that is even about the first."""
 ROUND = 24.0
 """Points on the half-circle times the width η of the remainder: harmonics fall like e^(−mη), e^(−24) is left out."""
 LARGEST_BATCH = 2_000_000
 """Values of the remainder held at a time."""
-THINNEST = 0.02
-"""Least thickness, over the unit of length, that the meshes of the solver resolve."""
 
 
 class Substrate(Protocol):
@@ -57,8 +57,8 @@ class Substrate(Protocol):
         """Harmonics of the kernel, k_m(r, r′) = ∫₀^{2π} cos mφ G(|x − x′|) dφ; see `softlube.elasticity.ring_kernels`."""
         ...
 
-    def spectrum(self) -> tuple[Array, Array]:
-        """Wavenumbers k and weights (C(k) − 1) dk of a quadrature of the remainder."""
+    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
+        """Wavenumbers k and weights (C(k) − 1) dk of a quadrature of the remainder, good for waves seen as far as `reach`."""
         ...
 
 
@@ -76,7 +76,7 @@ class HalfSpace:
         """Potentials of rings, `softlube.elasticity.ring_kernels`."""
         return ring_kernels(n_modes, r, r_source)
 
-    def spectrum(self) -> tuple[Array, Array]:
+    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
         """Nothing: C = 1."""
         return np.empty(0), np.empty(0)
 
@@ -125,9 +125,10 @@ class Layer:
         """The same layer with another unit of height, given over the present one."""
         return replace(self, thickness=self.thickness / math.sqrt(unit))
 
-    def spectrum(self) -> tuple[Array, Array]:
+    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
         """Wavenumbers k and weights (C(k) − 1) dk."""
-        kappa, weight = _spectrum(self.poisson_ratio, self.base)
+        panels = math.ceil(LARGEST_WAVENUMBER * max(SCREENED, reach / self.thickness) / PANEL_PHASE)
+        kappa, weight = _spectrum(self.poisson_ratio, self.base, panels)
         return kappa / self.thickness, weight / self.thickness
 
     def ring_kernels(self, n_modes: int, r: Array, r_source: Array) -> Array:
@@ -182,20 +183,20 @@ def compliance_defect(kappa: Array, poisson_ratio: float = 0.5, base: Base = "bo
 
 
 @lru_cache(maxsize=16)
-def _spectrum(poisson_ratio: float, base: Base) -> tuple[Array, Array]:
+def _spectrum(poisson_ratio: float, base: Base, panels: int) -> tuple[Array, Array]:
     """κ and (C − 1) dκ of composite Gauss quadrature."""
     x, weight = leggauss(PANEL_POINTS)
-    width = LARGEST_WAVENUMBER / PANELS
-    kappa = (width * (np.arange(PANELS)[:, None] + (x + 1) / 2)).ravel()
-    return kappa, np.tile(width * weight / 2, PANELS) * compliance_defect(kappa, poisson_ratio, base)
+    width = LARGEST_WAVENUMBER / panels
+    kappa = (width * (np.arange(panels)[:, None] + (x + 1) / 2)).ravel()
+    return kappa, np.tile(width * weight / 2, panels) * compliance_defect(kappa, poisson_ratio, base)
 
 
 @lru_cache(maxsize=16)
 def _remainder_table(poisson_ratio: float, base: Base) -> CubicSpline:
     """The remainder of a layer of unit thickness against distance, even in it."""
-    kappa, weight = _spectrum(poisson_ratio, base)
+    kappa, weight = Layer(1.0, poisson_ratio, base).spectrum()
     s = np.arange(0, SCREENED + 2 * TABLE_STEP, TABLE_STEP)
-    return CubicSpline(s, j0(np.outer(s, kappa)) @ weight, bc_type=((1, 0.0), "not-a-knot"))
+    return CubicSpline(s, j0(np.outer(s, kappa)) @ weight, bc_type=EVEN)
 
 
 KINDS = {cls.kind: cls for cls in (HalfSpace, Layer)}
