@@ -11,6 +11,8 @@ from dataclasses import asdict, dataclass, replace
 from functools import cache
 from typing import Any, Literal, SupportsFloat, get_args
 
+import numpy as np
+
 from softlube.dry import dry_contact_at
 from softlube.errors import InputError
 from softlube.fluids import Barus, Fluid, Newtonian, Roelands
@@ -63,6 +65,7 @@ UNITS = {
 
 LARGEST_SLOPE = 0.3
 LARGEST_FILM_REYNOLDS = 0.1
+SMALLEST_RISE = 0.01
 LARGEST_LAYER_EFFECT = 0.05
 """Relative change by the finite thickness that is spoken of."""
 
@@ -441,6 +444,13 @@ class Contact:
             doubts.append(
                 f"the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
             )
+        if self.pressure_viscosity is not None:
+            highest = np.array([float(dimensional["pressure_max"]) / self.unit_pressure])
+            rise = float(self.fluid().viscosity(highest)[0]) - 1
+            if rise < SMALLEST_RISE:
+                doubts.append(
+                    f"the viscosity rises by {100 * rise:.2g} % at most with the pressure: a constant one would do as well"
+                )
         if self.thickness is not None and not lifted:
             doubts += self._thickness_effect(dimensional)
         return tuple(doubts)
