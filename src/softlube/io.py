@@ -29,7 +29,8 @@ FIELD_NAMES = {"pressure": "pressure", "film": "film thickness", "displacement":
 
 
 def _plain(level: Level) -> dict[str, Any]:
-    return vars(level) | {"values": dict(level.values), "history": [record.summary() for record in level.history]}
+    kept = {name: value for name, value in vars(level).items() if name != "fields"}
+    return kept | {"values": dict(level.values), "history": [record.summary() for record in level.history]}
 
 
 def _records(summaries: list[dict[str, Any]], method: str) -> tuple[Record, ...]:
@@ -166,6 +167,6 @@ def load(path: str | os.PathLike[str]) -> Solution:
         converged=bool(np.asarray(attrs["converged"]).item()),
         contact=Contact.from_inputs(json.loads(attrs["inputs_SI"])) if "inputs_SI" in attrs else None,
         dimensional=read(SI_SUFFIX),
-        other_quantities=read(OTHER_SUFFIX),
+        saved_quantities=read(OTHER_SUFFIX),
         warnings=tuple(json.loads(attrs["warnings"])),
     )

@@ -20,12 +20,12 @@ from scipy.sparse.linalg import LinearOperator, gmres
 Array = NDArray[np.floating]
 Mask = NDArray[np.bool_]
 
-LINEAR_TOLERANCE = 1e-4
+LINEAR_TOLERANCE = 1e-3
 """Reduction of the (preconditioned) linear residual in each Newton step."""
-REUSE_BELOW = 3e-2
+REUSE_BELOW = 0.1
 """Size of a step after which the preconditioner is good for the next one too."""
 WORST_REDUCTION = 0.1
-"""What may be left of a linear residual when GMRES gives up; a step from anything worse is none."""
+"""What may be left of a linear residual for a small step to mean convergence."""
 LARGEST_KRYLOV = 60
 """Iterations of GMRES at most; some ten are usual."""
 
@@ -160,7 +160,8 @@ class NewtonResult:
     x : ndarray
         Last iterate; exact zeros on the active set when converged.
     converged : bool
-        Whether the steps have come down to the tolerance with the active set at rest.
+        Whether the steps have come down to the tolerance: with the active set at rest, or so far that what still changes sides
+        is round-off.
     history : tuple of Iteration
     """
 
@@ -197,8 +198,6 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
         near = settled and history[-1].step < REUSE_BELOW
         equation = equation.at(at.times) if near and equation is not None else at.equation(free)
         correction, krylov, left = _solve(equation, right)
-        if left > WORST_REDUCTION:
-            break
         step += correction
         if not np.all(np.isfinite(step)):
             break
@@ -208,8 +207,9 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
         x = x + fraction * step
         if fraction == 1:
             x[active] = 0.0
-        if settled and fraction == 1 and size * contraction < tolerance:
-            return NewtonResult(x, True, tuple(history))
+        at_rest = settled and size * contraction < tolerance
+        if fraction == 1 and left < WORST_REDUCTION and (at_rest or size < tolerance):
+            return NewtonResult(np.where(system.constrained, np.maximum(x, 0.0), x), True, tuple(history))
         if fraction < 1e-6:
             break
         before = active

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -86,8 +87,8 @@ class SavedRecord:
 
 @dataclass(frozen=True)
 class Level:
-    """One grid on the way to the answer: its cells (n_r × n_theta), the quantities on it (in the other normalisation too, where
-    that exists), what the method did, how long.
+    """One grid on the way to the answer: its cells (n_r × n_theta), the quantities on it, what the method did, how long; the
+    fields, unless it was read from a file.
     """
 
     n_r: int
@@ -95,7 +96,7 @@ class Level:
     values: Mapping[str, float]
     history: tuple[Record, ...]
     seconds: float
-    other_values: Mapping[str, float] = field(default_factory=dict)
+    fields: Fields | None = None
 
 
 @dataclass(frozen=True)
@@ -114,8 +115,6 @@ class Solution:
     quantities : mapping of str to Quantity
         See `softlube.quantities.DESCRIPTION`.  Normalised with what is prescribed: with |h₀| as in the paper where that is,
         with the Hertz indentation δ of the load, Eq. (29), where the load is.
-    other_quantities : mapping of str to Quantity
-        The same normalised the other way; empty for h₀ ≥ 0, where |h₀| is no scale.  See `normalised`.
     beta, beta_load : float
         β of Eq. (6d) and β of Eq. (30).
     accuracy : float
@@ -131,6 +130,8 @@ class Solution:
         SI values; empty for a dimensionless problem.
     warnings : tuple of str
         Doubts about the physics of the input.
+    saved_quantities : mapping of str to Quantity
+        `other_quantities`, where they were read from a file.
     """
 
     problem: Problem
@@ -145,7 +146,16 @@ class Solution:
     contact: Contact | None = None
     dimensional: Mapping[str, Quantity] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
-    other_quantities: Mapping[str, Quantity] = field(default_factory=dict)
+    saved_quantities: Mapping[str, Quantity] = field(default_factory=dict)
+
+    @cached_property
+    def other_quantities(self) -> Mapping[str, Quantity]:
+        """Quantities normalised the other way; empty for h₀ ≥ 0, where |h₀| is no scale.  See `normalised`."""
+        if any(level.fields is None for level in self.levels):
+            return self.saved_quantities
+        from softlube.solver import normalised_otherwise
+
+        return normalised_otherwise(self.problem, self.levels)
 
     def normalised(self, by: str) -> Mapping[str, Quantity]:
         """Quantities normalised with the indentation |h₀| or with the Hertz indentation of the load.

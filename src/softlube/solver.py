@@ -29,12 +29,16 @@ Array = NDArray[np.floating]
 DEFAULT_ACCURACY = 1e-3
 LADDER = (12, 18, 26, 39, 58)
 """Angular intervals of the nested grids, coarse to fine."""
+COARSE_TOLERANCE, FINE_TOLERANCE = 1e-4, 1e-6
+"""Of Newton's method, relative to the film: on grids that are there to start the next ones, and on those that give numbers."""
 RADIAL_STEP = 6.0
 """Spacing of ξ times the number of angular intervals."""
 RADIAL_STEP_GAP = 4.0
 """The same under a sphere that does not touch, where the mesh also reaches farther: u = h₀ + r²/2 becomes r²/2 later."""
 LOOSER = {"film_min": 3.0}
-"""Quantities whose error may exceed the accuracy by this factor: the extremum in the thinnest layer."""
+LOOSER_DEEP = {"film_min": 10.0}
+"""Quantities whose error may exceed the accuracy by this factor: the extremum in the thinnest layer, which takes
+more angles the larger β is; the second beyond `COARSE_BETA`."""
 REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg", "shear_rate_max")
 """Quantities that carry an error but do not decide when the grid is fine enough."""
 FREE_BOUNDARY = {
@@ -216,20 +220,12 @@ def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solve
             held = newton(ContactSystem(pressed, grid, system.scale / depth), start[:-1])
             history += held.history
             start = np.append(held.x, -depth / system.scale)
-    result = newton(system, start)
+    result = newton(system, start, tolerance=COARSE_TOLERANCE if grid.n_theta < LADDER[2] else FINE_TOLERANCE)
     history += result.history
     if not result.converged:
         result = _second_attempt(problem, grid, history)
     fields = fields_of(system, result.x)
-    other = fields.in_units(_other_unit(problem, fields)) if fields.height < 0 else None
-    level = Level(
-        grid.n_r,
-        grid.n_theta,
-        measure(fields),
-        tuple(history),
-        time.perf_counter() - began,
-        measure(other) if other is not None else {},
-    )
+    level = Level(grid.n_r, grid.n_theta, measure(fields), tuple(history), time.perf_counter() - began, fields)
     return Solved(level, fields, result.x, grid)
 
 
@@ -313,13 +309,19 @@ def estimate_errors(
     return estimates
 
 
-def _unresolved(values: Mapping[str, float], errors: Mapping[str, float], accuracy: float) -> dict[str, float]:
+def _looser(problem: Problem) -> Mapping[str, float]:
+    return LOOSER_DEEP if like_hertz(problem) > COARSE_BETA else LOOSER
+
+
+def _unresolved(
+    values: Mapping[str, float], errors: Mapping[str, float], accuracy: float, looser: Mapping[str, float]
+) -> dict[str, float]:
     """Quantities whose error exceeds what was asked for, with the relative error."""
     result = {}
     for name, error in errors.items():
         if name not in REPORTED_ONLY:
             relative = error / yardstick(name, values)
-            if not relative <= accuracy * LOOSER.get(name, 1.0):
+            if not relative <= accuracy * looser.get(name, 1.0):
                 result[name] = relative
     return result
 
@@ -363,7 +365,7 @@ def solve(
     fluid : Fluid, optional
         Of `softlube.fluids`; constant viscosity if none.
     accuracy : float
-        Relative error aimed at (film_min: three times that).  Grids follow from it.
+        Relative error aimed at (film_min: three times that, ten times beyond β = 3·10⁶).  Grids follow from it.
     method : {"newton", "relaxation", "cartesian"}
         This solver, or the paper's own method on its polar mesh of 50 × 30 or on a Cartesian one of 100 × 50
         (docs/paper-method.md): slower, with one mesh and so without errors, for comparison.
@@ -430,13 +432,13 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
         if len(solved) < 2:
             continue
         errors = _errors(problem, solved)
-        worst = _unresolved(rung.level.values, errors, accuracy)
+        worst = _unresolved(rung.level.values, errors, accuracy, _looser(problem))
         if not worst:
             return solution_of(problem, solved, accuracy)
     reached = ", ".join(f"{name} {value:.1e}" for name, value in sorted(worst.items(), key=lambda item: -item[1])[:3])
     raise NotConvergedError(
         f"the finest grid does not reach the accuracy {accuracy:g} at {problem.parameter:.4g}: {reached} (relative). "
-        f"Try accuracy={2 * max(value / LOOSER.get(name, 1) for name, value in worst.items()):.0e}."
+        f"Try accuracy={2 * max(value / _looser(problem).get(name, 1) for name, value in worst.items()):.0e}."
     )
 
 
@@ -455,24 +457,28 @@ def _errors(problem: Problem, solved: Sequence[Solved]) -> dict[str, float]:
     return estimate_errors([rung.level.values for rung in solved], solved[-1].grid.n_theta, floors_for(problem), exact)
 
 
+def normalised_otherwise(problem: Problem, levels: Sequence[Level]) -> dict[str, Quantity]:
+    """Quantities normalised with |h₀| where the load is prescribed, with the load where |h₀| is; none for h₀ ≥ 0."""
+    fields = [level.fields for level in levels if level.fields is not None]
+    if any(each.height >= 0 for each in fields):
+        return {}
+    histories = [measure(each.in_units(_other_unit(problem, each))) for each in fields]
+    exact = "height" if problem.load_controlled else "load"
+    errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact)
+    return {name: Quantity(value, errors[name]) for name, value in histories[-1].items()}
+
+
 def solution_of(problem: Problem, solved: Sequence[Solved], accuracy: float) -> Solution:
     """What the grids solved so far, at least two, say of a problem."""
     finest = solved[-1]
     fields = finest.fields
     errors = _errors(problem, solved)
     quantities = {name: Quantity(value, errors[name]) for name, value in finest.level.values.items()}
-    others: dict[str, Quantity] = {}
-    if all(rung.level.other_values for rung in solved):
-        exact = "height" if problem.load_controlled else "load"
-        histories = [rung.level.other_values for rung in solved]
-        other_errors = estimate_errors(histories, finest.grid.n_theta, floors_for(problem), exact)
-        others = {name: Quantity(value, other_errors[name]) for name, value in histories[-1].items()}
     # Eq. (29): the load N̄ has the Hertz indentation δ = |h₀| (N̄/(4/3π))^(2/3), and β_load goes with δ².
     return Solution(
         problem=problem,
         fields=fields,
         quantities=quantities,
-        other_quantities=others,
         beta=fields.beta * fields.height**2,
         beta_load=fields.beta * max(fields.load / HERTZ_LOAD, 0.0) ** (4 / 3),
         accuracy=accuracy,
