@@ -39,6 +39,12 @@ def test_errors_are_small_where_they_should_be():
     assert np.max(error / value) < 5e-3
 
 
+def test_a_kink_has_an_error_that_says_so():
+    """Near h₀ = 0 the largest inlet gradient passes from one maximum to another; 0.0686735 ± 3e-5 is solved at β_load = 4.45."""
+    value, error = curve.pressure_gradient_inlet(beta_load=4.45)
+    assert 0.003 < abs(value - 0.0686735) < error
+
+
 def test_bulk_evaluation_costs_less_than_a_microsecond_a_point():
     beta = 10 ** np.random.default_rng(1).uniform(-4, 8, 200_000)
     curve.film_center(beta)

@@ -133,7 +133,8 @@ def test_a_preconditioner_is_kept_while_the_steps_are_short(exact, monkeypatch):
     assert len(built) == 1 + sum(iteration.step >= REUSE_BELOW for iteration in result.history)
     assert len(built) < len(result.history)
     system.linearise = linearise
-    assert np.max(np.abs(system.linearise(result.x).residual)) < 1e-11
+    # Linear equations are solved to 1e-3, so the last step of 1e-9 or less leaves this much.
+    assert np.max(np.abs(system.linearise(result.x).residual)) < 1e-10
 
 
 def test_otherwise_it_is_as_fast_as_they_are_solved_well():

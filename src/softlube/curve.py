@@ -49,6 +49,8 @@ EXPONENT = {
     "film_min_angle_deg": -0.25,
 }
 """Powers of β beyond the table where `softlube.limits` has no law; 0 for the others."""
+SMOOTH = 3e-3
+"""What leaving out every other point may change where the curve counts as smooth."""
 CORRECTION = -0.4
 """Power of β with which what a law leaves out falls."""
 
@@ -75,13 +77,18 @@ class Curve:
 
     @classmethod
     def through(cls, name: str, beta: Array, value: Array, error: Array, law: Callable[[Array], Array] | None) -> Curve:
-        """Interpolate a table; the errors grow by what leaving out every other point changes, over 16."""
+        """Interpolate a table; the errors grow by what leaving out every other point changes.
+
+        By a sixteenth of that where the curve is smooth, and by all of it at a kink: the largest gradient passes from one of two
+        maxima to the other near h₀ = 0.
+        """
         x = np.log(beta)
         if name not in LINEAR:
             error = error / np.abs(value + OFFSET.get(name, 0.0))
             value = np.log(value + OFFSET.get(name, 0.0))
         coarse = CubicSpline(x[::2], value[::2])
-        between = np.convolve(np.abs(coarse(x) - value), np.ones(3), mode="same") / 16
+        missed = np.abs(coarse(x) - value)
+        between = np.convolve(np.where(missed < SMOOTH, missed / 16, missed), np.ones(3), mode="same")
         return cls(name, CubicSpline(x, value), CubicSpline(x, np.log(np.maximum(error, 1e-12) + between)), law)
 
     def __call__(self, beta: ArrayLike) -> tuple[Array, Array]:

@@ -26,6 +26,8 @@ REUSE_BELOW = 0.1
 """Size of a step after which the preconditioner is good for the next one too."""
 WORST_REDUCTION = 0.1
 """What may be left of a linear residual for a small step to mean convergence."""
+NEGLIGIBLE = 1e-8
+"""Size of a step that means convergence even while some unknowns still change sides: on the free boundary, by round-off."""
 LARGEST_KRYLOV = 60
 """Iterations of GMRES at most; some ten are usual."""
 
@@ -114,7 +116,7 @@ class Linearised(Protocol):
         ...
 
     def size(self, step: Array) -> float:
-        """How large a step is, relative to the state."""
+        """How large a step is, relative to the state: the largest of its parts."""
         ...
 
     def longest_step(self, step: Array) -> float:
@@ -202,13 +204,13 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
         if not np.all(np.isfinite(step)):
             break
         fraction, size = at.longest_step(step), at.size(step)
-        contraction = min(1.0, size / history[-1].step) if history and settled else 1.0
+        contraction = min(1.0, size / max(history[-1].step, 1e-300)) if history and settled else 1.0
         history.append(Iteration(size, fraction, int(active.sum()), krylov))
         x = x + fraction * step
         if fraction == 1:
             x[active] = 0.0
         at_rest = settled and size * contraction < tolerance
-        if fraction == 1 and left < WORST_REDUCTION and (at_rest or size < tolerance):
+        if fraction == 1 and left < WORST_REDUCTION and (at_rest or size < min(tolerance, NEGLIGIBLE)):
             return NewtonResult(np.where(system.constrained, np.maximum(x, 0.0), x), True, tuple(history))
         if fraction < 1e-6:
             break

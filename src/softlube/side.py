@@ -284,7 +284,7 @@ def side_film(cavitation: str = "reynolds", mesh: SideMesh = SideMesh()) -> Side
             rate = (1 + 2 * ratio) / (1 + ratio) / step
             history = (ratio**2 / (1 + ratio) * before - (1 + ratio) * film) / step
         constrained = strip.breakable & (cavitation == "reynolds" and time > 0)
-        result = newton(Implicit(strip, float(time), float(rate), history, constrained), x)
+        result = newton(Implicit(strip, float(time), float(rate), history, constrained), x, tolerance=1e-11)
         if not result.converged:
             raise RuntimeError(f"side problem: the step to τ = {time:.3f} did not converge on this mesh")
         x = result.x

@@ -29,8 +29,9 @@ Array = NDArray[np.floating]
 DEFAULT_ACCURACY = 1e-3
 LADDER = (12, 18, 26, 39, 58)
 """Angular intervals of the nested grids, coarse to fine."""
+FIRST_ANGLES = 18
 COARSE_TOLERANCE, FINE_TOLERANCE = 1e-4, 1e-6
-"""Of Newton's method, relative to the film: on grids that are there to start the next ones, and on those that give numbers."""
+"""Of Newton's method: on grids of so many angles, which mostly start the next ones, and on those that give numbers."""
 RADIAL_STEP = 6.0
 """Spacing of ξ times the number of angular intervals."""
 RADIAL_STEP_GAP = 4.0
@@ -220,7 +221,7 @@ def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solve
             held = newton(ContactSystem(pressed, grid, system.scale / depth), start[:-1])
             history += held.history
             start = np.append(held.x, -depth / system.scale)
-    result = newton(system, start, tolerance=COARSE_TOLERANCE if grid.n_theta < LADDER[2] else FINE_TOLERANCE)
+    result = newton(system, start, tolerance=COARSE_TOLERANCE if grid.n_theta <= FIRST_ANGLES else FINE_TOLERANCE)
     history += result.history
     if not result.converged:
         result = _second_attempt(problem, grid, history)

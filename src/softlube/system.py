@@ -206,8 +206,13 @@ class LinearisedContact:
         return FilmEquation(self.times, *self._within, system.stiffness, free[:n], self.film[:n], border)
 
     def size(self, step: Array) -> float:
-        """Largest relative change of the film."""
-        return float(np.max(np.abs(self.system.film_change(step)) / self.film))
+        """Largest relative change of the film, or of the pressure over its maximum if that is larger.
+
+        Under a light load the film hardly knows the pressure, in the Hertz limit the pressure hardly knows the film.
+        """
+        n = self.system.grid.n_unknown
+        film = float(np.max(np.abs(self.system.film_change(step)) / self.film))
+        return max(film, float(np.max(np.abs(step[:n])) / np.max(np.abs(self.x[:n]), initial=1e-300)))
 
     def longest_step(self, step: Array) -> float:
         """Fraction of the step down to which the film keeps `FILM_KEPT` of its thickness everywhere."""
