@@ -13,6 +13,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from softlube.approach.physical import squeeze
+    from softlube.approach.result import Squeeze
     from softlube.contact import Contact
     from softlube.errors import InputError, NotConvergedError, SoftlubeError
     from softlube.io import load
@@ -31,8 +33,10 @@ _HOME = {
     "Quantity": "solution",
     "SoftlubeError": "errors",
     "Solution": "solution",
+    "Squeeze": "approach.result",
     "load": "io",
     "solve": "solver",
+    "squeeze": "approach.physical",
 }
 
 __all__ = [
@@ -43,9 +47,11 @@ __all__ = [
     "Quantity",
     "SoftlubeError",
     "Solution",
+    "Squeeze",
     "__version__",
     "load",
     "solve",
+    "squeeze",
 ]
 
 

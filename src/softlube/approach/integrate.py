@@ -104,16 +104,22 @@ def _center(fields: Array) -> Array:
 def _lowest(film: SqueezeFilm, fields: Array) -> tuple[Array, Array]:
     """Least value of each field and its radius: of the cubic spline, at its lowest sample and by the parabola there."""
     xi = np.concatenate([-film.grid.xi[2::-1], film.grid.xi])
-    spline = CubicSpline(xi, np.concatenate([fields[:, 2::-1], fields], axis=1), axis=1)
+    spline = CubicSpline(xi, np.concatenate([fields[:, 2::-1], fields], axis=1).T)
     d = film.grid.d_xi
     node = np.argmin(fields, axis=1)
     offsets = np.linspace(-1, 1, 41) * d
     least, place = np.empty((2, len(fields)))
     for k, at in enumerate(film.grid.xi[node]):
         points = np.clip(at + offsets, 0.0, xi[-1])
-        values = spline(points)[k]
+        values = spline(points)[:, k]
         lowest = int(np.argmin(values))
         least[k], place[k] = values[lowest], points[lowest]
+        if 0 < lowest < points.size - 1 and points[lowest - 1] > 0:
+            before, here, after = values[lowest - 1 : lowest + 2]
+            bend = before - 2 * here + after
+            if bend > 0:
+                place[k] += (before - after) / (2 * bend) * (points[lowest + 1] - points[lowest])
+                least[k] -= (before - after) ** 2 / (8 * bend)
     return least, film.grid.r_of(place)
 
 

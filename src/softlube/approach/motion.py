@@ -18,8 +18,10 @@ Array = NDArray[np.floating]
 
 REACH = 30.0
 """Radius where the far field takes over, in units of the contact or of √(2h₀), whichever is larger."""
-LAYER, LAYER_MOVING = 0.1, 0.2
-"""Width of the refined zone at the contact's edge, over its radius, under a load and where the edge moves."""
+LAYER, LAYER_MOVING, THINNEST_LAYER = 0.1, 0.2, 0.003
+"""Width of the refined zone at the contact's edge, over its radius: at most, where the edge moves, and at least."""
+NECK, NECK_EXPONENT = 0.5, -0.36
+"""Under a load the neck at the edge of the dimple narrows like a power of the time (measured)."""
 DAMPING, LARGEST_ITERATIONS = 0.4, 200
 """Of the iteration for the pressure at the start."""
 SAMPLES = 2001
@@ -105,9 +107,15 @@ class Motion:
         """Rings that suit the history: dense at the largest contact's edge, or within √(2h₀) of a sphere that stays above."""
         lowest = self.lowest_height
         edge = np.sqrt(max(-lowest, 2 * lowest, 0.05 * self.initial_height))
-        layer = 0.5 if lowest > 0 else LAYER if self.control == "load" else LAYER_MOVING
+        if lowest > 0:
+            layer = 0.5
+        elif self.control == "height":
+            layer = LAYER_MOVING
+        else:
+            # The time in units of the load's own, for which the edge is at 1.
+            layer = np.clip(NECK * (self.duration * edge**3) ** NECK_EXPONENT, THINNEST_LAYER, LAYER)
         reach = REACH * max(1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge)
-        return PolarGrid(n_r=n_r, n_theta=6, layer=layer, reach=float(reach), edge=float(edge))
+        return PolarGrid(n_r=n_r, n_theta=6, layer=float(layer), reach=float(reach), edge=float(edge))
 
 
 def constant_load(load: float, initial_height: float, duration: float) -> Motion:

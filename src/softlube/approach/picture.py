@@ -82,28 +82,31 @@ def picture(result: Squeeze, path: str | os.PathLike[str] | None = None) -> Figu
 
         # A logarithmic axis where the approach slows down, as under a load; the start itself is then left out.
         slowing = result.run.motion.control == "load" and result.time[-1] > 1e3 * result.time[1]
-        time = result.time * clock
+        begin = int(np.argmax(result.histories["film_center"] < 0.9 * result.histories["film_center"][0])) if slowing else 0
+        time = result.time[begin:] * clock
+
+        def shown(name: str, scale: float) -> Array:
+            return result.history(name)[begin:] * scale
+
         left, right = axes[1]
-        left.plot(time, result.history("film_center") * film, color=FILM_COLOUR, label="at the centre")
-        left.plot(time, result.history("film_min") * film, "--", color=FILM_COLOUR, label="minimum")
+        left.plot(time, shown("film_center", film), color=FILM_COLOUR, label="at the centre")
+        left.plot(time, shown("film_min", film), "--", color=FILM_COLOUR, label="minimum")
         if not np.isnan(result.dimple_time):
             left.axvline(result.dimple_time * clock, color="0.6", lw=0.7, ls=":")
         left.set(xlabel=f"time{clock_label}", ylabel=f"film $u${film_label}", yscale="log")
         left.legend(frameon=False)
-        right.plot(time, result.history("pressure_center") * pressure, color=PRESSURE_COLOUR)
+        right.plot(time, shown("pressure_center", pressure), color=PRESSURE_COLOUR)
         right.set(xlabel=f"time{clock_label}")
         right.set_ylabel(f"pressure at the centre{pressure_label}", color=PRESSURE_COLOUR)
         other = right.twinx()
         name = "height" if result.run.motion.control == "load" else "load"
         kind = result.scale(name)
-        values = result.history(name)
-        scale, label = _prefix(float(np.abs(values).max()), kind[1])
-        other.plot(time, values * scale, color="0.35")
+        scale, label = _prefix(float(np.abs(result.history(name)[begin:]).max()), kind[1])
+        other.plot(time, shown(name, scale), color="0.35")
         other.set_ylabel(f"{'height $h_0$' if name == 'height' else 'load'}{label}", color="0.35")
         if slowing:
-            first = float(time[np.searchsorted(result.time, 1e-4 * result.time[-1])])
             for ax in (left, right):
-                ax.set(xscale="log", xlim=(first, time[-1]))
+                ax.set_xscale("log")
         for label, ax in zip("abcd", axes.flat, strict=True):
             ax.set_title(f"({label})", loc="left")
         if path is not None:
