@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 from importlib.metadata import version
+from typing import Any
 
 import xarray as xr
 
@@ -21,7 +22,7 @@ def to_dataset(result: Squeeze) -> xr.Dataset:
         "time": ("time", result.time, {"long_name": "time since the start", "units": unit("time")}),
         "r": ("r", result.r, {"long_name": "distance from the axis", "units": unit("length")}),
     }
-    data = {
+    data: dict[str, tuple[Any, ...]] = {
         "film": (("time", "r"), result.film, {"long_name": "film thickness", "units": unit("height")}),
         "pressure": (("time", "r"), result.pressure, {"long_name": "pressure", "units": unit("pressure")}),
     }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,7 +42,7 @@ class Run:
     evaluations : int
         Number of times that ∂u/∂t was taken.
     dense : callable
-        Films on n rings at any time, by the integrator's own interpolant.
+        Lifts on n rings at any time, by the integrator's own interpolant.
     """
 
     film: SqueezeFilm
@@ -72,12 +72,12 @@ class Run:
         return read(self.film, *_fields(self.film, self.motion, time, [self.dense(t) for t in time]))
 
 
-def _fields(film: SqueezeFilm, motion: Motion, time: Array, inner: list[Array]) -> tuple[Array, Array, Array, Array]:
-    """Films and pressures on all rings, heights and loads, from the films on n rings."""
+def _fields(film: SqueezeFilm, motion: Motion, time: Array, inner: Sequence[Array]) -> tuple[Array, Array, Array, Array]:
+    """Films and pressures on all rings, heights and loads, from the lifts on n rings."""
     drive = [float(motion.drive(t)) for t in time]
-    pressures = np.array([film.pressure(u, q) for u, q in zip(inner, drive, strict=True)])
-    films = np.array([film.whole_film(u, q) for u, q in zip(inner, drive, strict=True)])
-    heights = np.array([film.height(u, q) for u, q in zip(inner, drive, strict=True)])
+    pressures = np.array([film.pressure(lift, q) for lift, q in zip(inner, drive, strict=True)])
+    films = np.array([film.whole_film(lift, q) for lift, q in zip(inner, drive, strict=True)])
+    heights = np.array([film.height(lift, q) for lift, q in zip(inner, drive, strict=True)])
     return films, pressures, heights, pressures @ film.load_weights
 
 
@@ -123,6 +123,16 @@ def _lowest(film: SqueezeFilm, fields: Array) -> tuple[Array, Array]:
     return least, film.grid.r_of(place)
 
 
+def least_on_nodes(film: Array) -> float:
+    """Least film, by the parabola through the lowest ring and its neighbours."""
+    lowest = int(np.argmin(film))
+    if not 0 < lowest < film.size - 1:
+        return float(film[lowest])
+    before, here, after = film[lowest - 1 : lowest + 2]
+    bend = before - 2 * here + after
+    return float(here - (before - after) ** 2 / (8 * bend)) if bend > 0 else float(here)
+
+
 def integrate(
     motion: Motion,
     *,
@@ -137,6 +147,7 @@ def integrate(
     Parameters
     ----------
     motion : Motion
+        What moves the sphere.
     rings : int
         Rings of the grid.
     tolerance : float
@@ -158,27 +169,32 @@ def integrate(
     Notes
     -----
     The integrator works on u − s with a constant s(r) = max(0, r²/2 − 2 edge²): its relative tolerance is one of the film
-    where that is thin, and one of h₀ far outside, where the film's own size, r²/2, says nothing.  Newton's equations are
-    linear combinations of the film's rates, so volume is conserved to what they are solved to.
+    where that is thin, and one of h₀ far outside, where the film's own size, r²/2, says nothing.  It conserves volume, which is
+    linear in this unknown, to round-off.
     """
     grid = motion.grid(rings)
     film = SqueezeFilm.on(grid, motion.control, substrate)
     n = film.n
-    shift = np.maximum(0.0, film.parabola[:n] - 2 * grid.edge**2)
+    parabola = film.parabola[:n]
+    added = np.minimum(parabola, 2 * grid.edge**2)  # to the lift
     inside = max(3, int(np.searchsorted(grid.r, BALANCE_RADIUS * grid.edge)))
     to_inflow, to_volume = film.inflow_weights(inside), film.volume_weights(inside)
-    first = film.film_under(motion.first_pressure(film), motion.initial_height)
-    if first.min() <= film_limit:
-        raise InputError(f"initial_height, film_limit: the film is {first.min():.3g} at the start, not above {film_limit:.3g}")
+    first = film.lift_under(motion.first_pressure(film), motion.initial_height)
+    thinnest = float(np.min(first + parabola))
+    if thinnest <= film_limit:
+        raise InputError(
+            f"initial_height, film_limit: the film starts at {thinnest / motion.initial_height:.3g} of the initial height, not "
+            f"above the limit, {film_limit / motion.initial_height:.3g} of it"
+        )
 
     def rate(t: float, z: Array) -> Array:
-        flux = film.flux(z[:n] + shift, float(motion.drive(t)))
-        return np.append((film.divergence @ flux) / film.cell, to_inflow @ flux)
+        flux = film.flux(z[:n] - added, float(motion.drive(t)))
+        return np.append(film.rate(flux), to_inflow @ flux)
 
     def jacobian(t: float, z: Array) -> Array:
-        by_film = film.flux_derivative(z[:n] + shift, float(motion.drive(t)))
+        by_film = film.flux_derivative(z[:n] - added, float(motion.drive(t)))
         whole = np.zeros((n + 1, n + 1))
-        whole[:n, :n] = (film.divergence @ by_film) / film.cell[:, None]
+        whole[:n, :n] = film.rate(by_film)
         whole[n, :n] = to_inflow @ by_film
         return whole
 
@@ -189,15 +205,15 @@ def integrate(
         steps += 1
         if progress is not None and steps % 20 == 0:
             progress(f"{rings} rings: {100 * t / motion.duration:.3g} % of the time, step {steps}")
-        return float(np.min(z[:n] + shift)) - film_limit
+        return least_on_nodes(z[:n] - added + parabola) - film_limit
 
     above_limit.terminal = True  # type: ignore[attr-defined]
     least = np.full(n + 1, 1e-5 * tolerance * grid.edge**2)
-    least[n] = 0.1 * tolerance * float(to_volume @ first)
+    least[n] = 0.1 * tolerance * float(to_volume @ (first + parabola))
     result = solve_ivp(
         rate,
         (0.0, motion.duration),
-        np.append(first - shift, 0.0),
+        np.append(first + added, 0.0),
         method="BDF",
         jac=jacobian,
         rtol=tolerance,
@@ -206,10 +222,13 @@ def integrate(
         events=above_limit,
         dense_output=True,
     )
-    if not result.success:
-        raise NotConvergedError(f"the time integration failed at {result.t[-1] / motion.duration:.3g} of the time: {result.message}")
-    inner = [z[:n] + shift for z in result.y.T]
-    films, pressures, heights, loads = _fields(film, motion, result.t, inner)
+    if not result.success or result.sol is None:
+        raise NotConvergedError(
+            f"the time integration failed at {result.t[-1] / motion.duration:.3g} of the time: {result.message}"
+        )
+    interpolant = result.sol
+    lifts = [z[:n] - added for z in result.y.T]
+    films, pressures, heights, loads = _fields(film, motion, result.t, lifts)
     return Run(
         film=film,
         motion=motion,
@@ -219,9 +238,9 @@ def integrate(
         pressures=pressures,
         heights=heights,
         loads=loads,
-        volume=np.array(inner) @ to_volume,
+        volume=films[:, :n] @ to_volume,
         inflow=result.y[n],
         ended_by="film_limit" if result.status == 1 else "duration",
         evaluations=result.nfev,
-        dense=lambda t: result.sol(t)[:n] + shift,
+        dense=lambda t: interpolant(t)[:n] - added,
     )

@@ -71,10 +71,18 @@ class Motion:
 
     @property
     def lowest_height(self) -> float:
-        """Lowest h₀ on the way, as far as it can be told beforehand: in the dry contact under the largest load."""
+        """Lowest h₀ on the way, as far as it can be told beforehand.
+
+        Under a load: where a rigid sphere comes to, sinking by Taylor's law like exp(−(2/π) ∫N dt), or the dry contact under
+        the largest load where that is reached before.
+        """
+        samples = self.samples
         if self.control == "height":
-            return float(self.samples.min())
-        return -float((max(self.samples.max(), 0.0) / HERTZ_LOAD) ** (2 / 3))
+            return float(samples.min())
+        indentation = float((max(samples.max(), 0.0) / HERTZ_LOAD) ** (2 / 3))
+        impulse = self.duration * float(np.mean(np.maximum(samples, 0.0)))
+        rigid = self.initial_height * float(np.exp(-min(2 * impulse / np.pi, 50.0)))
+        return rigid if rigid > indentation else -indentation
 
     def first_pressure(self, film: SqueezeFilm) -> Array:
         """Pressure at the start, on all rings.
@@ -103,6 +111,23 @@ class Motion:
                 break
         return pressure
 
+    def yielding(self) -> float:
+        """About the largest share of the film by which the substrate yields, from Taylor's pressure at the start and lowest.
+
+        Infinite where the sphere comes down to the undeformed surface.
+        """
+        lowest = self.lowest_height
+        if lowest <= 0:
+            return np.inf
+        film = SqueezeFilm.on(self.grid(64), self.control)
+        steps = np.diff(self.samples) * (SAMPLES - 1) / self.duration
+        shares = []
+        for height in (self.initial_height, lowest):
+            taylor = (height + film.parabola) ** -2.0
+            strength = np.max(np.abs(self.samples)) / film.load(taylor) if self.control == "load" else np.max(np.abs(steps)) / 4
+            shares.append(strength * float((film.compliance @ taylor)[0]) / height)
+        return max(shares)
+
     def grid(self, n_r: int) -> PolarGrid:
         """Rings that suit the history: dense at the largest contact's edge, or within √(2h₀) of a sphere that stays above."""
         lowest = self.lowest_height
@@ -114,7 +139,9 @@ class Motion:
         else:
             # The time in units of the load's own, for which the edge is at 1.
             layer = np.clip(NECK * (self.duration * edge**3) ** NECK_EXPONENT, THINNEST_LAYER, LAYER)
-        reach = REACH * max(1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge)
+        reach = REACH * max(
+            1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge
+        )
         return PolarGrid(n_r=n_r, n_theta=6, layer=float(layer), reach=float(reach), edge=float(edge))
 
 
@@ -134,6 +161,7 @@ def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height
     Parameters
     ----------
     control : {"load", "height"}
+        What the values are.
     time, values : array_like
         Points, the first at time 0.
     initial_height : float, optional
@@ -155,9 +183,10 @@ def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height
         initial_height = float(values[0])
     if initial_height is None:
         raise InputError("initial_height: missing; a history of the load does not say where the sphere starts")
+    points = PchipInterpolator(time, values)
     return Motion(
         control,
-        PchipInterpolator(time, values),
+        lambda t: float(points(t)),
         initial_height,
         float(time[-1]),
         longest_step=max(2 * float(np.diff(time).min()), float(time[-1]) / 2000),

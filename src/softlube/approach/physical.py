@@ -151,15 +151,17 @@ class Setup:
         suction = -float(result.history("pressure_min").min())
         if suction > ATMOSPHERE:
             doubts.append(
-                f"the pressure falls {suction:.3g} Pa below the surroundings', more than the atmosphere's 1.01e5 Pa: the liquid "
-                f"would cavitate, which is not modelled here"
+                f"the pressure falls {suction:.3g} Pa below the surroundings', more than the atmosphere's 1.01e5 Pa: the "
+                f"liquid would cavitate, which is not modelled here"
             )
         height, time = result.history("height"), result.time
         speed = float(np.max(np.abs(np.diff(height) / np.diff(time))))
         film = float(result.history("film_center").max())
         reynolds = self.density * speed * film / self.viscosity
         if reynolds > LARGEST_FILM_REYNOLDS:
-            doubts.append(f"the film's Reynolds number rho V u/eta reaches {reynolds:.2g}, not small: inertia is neglected here")
+            doubts.append(
+                f"the film's Reynolds number rho V u/eta reaches {reynolds:.2g}, not small: inertia is neglected here"
+            )
         return tuple(doubts)
 
 
@@ -231,9 +233,9 @@ def squeeze(
     --------
     >>> import softlube
     >>> fall = softlube.squeeze(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", load="100 mN",
-    ...                         initial_height="100 um", duration="100 s")
+    ...                         initial_height="100 um", duration="10 s")
     >>> round(fall.final["film_center"] * 1e9), round(fall.final["film_min"] * 1e9)  # nm
-    (3109, 1900)
+    (397, 198)
     """
     for name, value in (("radius", radius), ("viscosity", viscosity)):
         if value is None:
@@ -286,7 +288,9 @@ def squeeze(
         density=rho,
         unit_height=unit,
         control="load" if loaded else "height",
-        description=next(f"{name} {value}" if isinstance(value, str) else name for name, value in ways.items() if value is not None),
+        description=next(
+            f"{name} {value}" if isinstance(value, str) else name for name, value in ways.items() if value is not None
+        ),
         initial_height=first,
         duration=end,
         film_limit=limit,
@@ -325,4 +329,6 @@ def _motion(
             end,
             longest_step=end / STEPS_OF_A_FUNCTION,
         )
-    return constant_load(load / scale, start, end) if setup.control == "load" else constant_speed(speed * time / unit, start, end)
+    return (
+        constant_load(load / scale, start, end) if setup.control == "load" else constant_speed(speed * time / unit, start, end)
+    )

@@ -48,6 +48,7 @@ def picture(result: Squeeze, path: str | os.PathLike[str] | None = None) -> Figu
     Parameters
     ----------
     result : Squeeze
+        What to draw.
     path : path-like, optional
         Where to write the picture (.png, .pdf or .svg).
     """

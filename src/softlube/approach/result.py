@@ -28,7 +28,11 @@ LADDER = (64, 91, 128, 181, 256)
 """Rings of the grids, coarse to fine."""
 TOLERANCE = 1e-3
 """Tolerance of a time step over the accuracy asked for: errors of several hundred steps add up."""
+LEAST_ERROR = 10.0
+"""Relative error over the tolerance that is never promised to be undercut."""
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-5, 0.1
+RIGID = 100.0
+"""Share of the film by which the substrate yields, over the tolerance, below which the film says too little of the pressure."""
 JUDGED = ("film_center", "film_min")
 """Histories whose relative error decides when the grid is fine enough."""
 DESCRIPTION = {
@@ -38,7 +42,7 @@ DESCRIPTION = {
     "pressure_center": "pressure at the centre",
     "pressure_max": "largest pressure",
     "pressure_min": "smallest pressure",
-    "height": "height of the lowest point over the undeformed surface",
+    "height": "height over the undeformed surface",
     "load": "load",
 }
 DIMENSION = {name: "pressure" if name.startswith("pressure") else "height" for name in HISTORIES}
@@ -175,6 +179,7 @@ def follow(
     Parameters
     ----------
     motion : Motion
+        What moves the sphere.
     accuracy : float
         Relative error of the films aimed at, at every time.
     film_limit : float
@@ -187,7 +192,7 @@ def follow(
     Raises
     ------
     InputError
-        If an input is not as described.
+        If an input is not as described, or the substrate is as good as rigid.
     NotConvergedError
         If no grid reaches the accuracy, or the integration fails.
 
@@ -198,12 +203,12 @@ def follow(
 
     Examples
     --------
-    A light rigid sphere falls by Taylor's law, load = πV/(2h₀), until the film limit:
+    A light sphere falls nearly by Taylor's law for a rigid one, load = πV/(2h₀), until the film limit:
 
-    >>> from math import exp, pi
+    >>> from math import log, pi
     >>> from softlube.approach.motion import constant_load
-    >>> fall = follow(constant_load(1e-6, initial_height=1.0, duration=4e6), film_limit=0.5)
-    >>> bool(abs(fall.time[-1] * 1e-6 - 0.5 * pi * 0.6931) < 1e-3), fall.run.ended_by
+    >>> fall = follow(constant_load(1e-3, initial_height=1.0, duration=4e3), film_limit=0.5)
+    >>> bool(abs(fall.time[-1] * 1e-3 / (pi / 2 * log(2)) - 1) < 5e-3), fall.run.ended_by
     (True, 'film_limit')
     """
     if not FINEST_ACCURACY <= accuracy <= COARSEST_ACCURACY:
@@ -215,6 +220,12 @@ def follow(
             motion, rings=rings, tolerance=tolerance, film_limit=film_limit, substrate=substrate, progress=progress
         )
 
+    yielding = motion.yielding()
+    if yielding < RIGID * tolerance:
+        raise InputError(
+            f"shear_modulus: the substrate yields by {yielding:.1e} of the film at most, which is nothing at this accuracy; "
+            f"Taylor's law for a rigid sphere holds, load = 6 pi eta R^2 V/h"
+        )
     coarsest = coarse = run(LADDER[0], tolerance)
     loose = run(LADDER[0], 4 * tolerance)
     worst = np.inf
@@ -237,8 +248,15 @@ def _compared(fine: Run, coarse: Run, tolerances: tuple[Run, Run], accuracy: flo
     end = min(fine.time[-1], *(run.time[-1] for run in others))
     time = np.minimum(fine.time, end)
     own = fine.histories()
-    same, by_grid, strict, loose = own if end == fine.time[-1] else fine.histories(time), *(run.histories(time) for run in others)
+    same, by_grid, strict, loose = (
+        own if end == fine.time[-1] else fine.histories(time),
+        *(run.histories(time) for run in others),
+    )
     errors = {name: np.abs(same[name] - by_grid[name]) + np.abs(strict[name] - loose[name]) for name in HISTORIES}
+    for name in HISTORIES:
+        if name != fine.motion.control:
+            # Histories from two grids cross now and then, which makes neither of them exact.
+            errors[name] = np.maximum(errors[name], LEAST_ERROR * fine.tolerance * np.abs(own[name]))
     return Squeeze(
         run=fine,
         histories=own,

@@ -5,8 +5,9 @@ parameter:
 
     ∂u/∂t = (1/r) ∂(r u³ ∂p/∂r)/∂r,      u = h₀ + r²/2 + K p.
 
-The film on the nodes is the unknown.  It gives the pressure by p = K⁻¹(u − h₀ − r²/2), and h₀ under a given load N by
-∫p dA = N, both linear.  So no algebraic equation is left for the time integrator.
+The film on the nodes is the unknown, less the parabola: the lift l = u − r²/2 = h₀ + K p, which keeps what a nearly rigid
+sphere's small deflections say from drowning in r²/2.  It gives the pressure by p = K⁻¹(l − h₀), and h₀ under a given load N
+by ∫p dA = N, both linear.  So no algebraic equation is left for the time integrator.
 """
 
 from __future__ import annotations
@@ -74,12 +75,12 @@ class SqueezeFilm:
         What is prescribed as a function of time, q below: the load ∫p dA or the height h₀.
     parabola : ndarray, shape (N,)
         r²/2.
-    pressure_by_film, pressure_by_drive : ndarray, shape (N, n) and (N,)
-        p = pressure_by_film (u − r²/2) + pressure_by_drive q.
-    height_by_film, height_by_drive : ndarray, shape (n,), and float
+    pressure_by_lift, pressure_by_drive : ndarray, shape (N, n) and (N,)
+        p = pressure_by_lift l + pressure_by_drive q.
+    height_by_lift, height_by_drive : ndarray, shape (n,), and float
         h₀ likewise.
-    rim_by_film, rim_by_drive : ndarray, shape (RIM, n) and (RIM,)
-        Film at the rim, less its parabola, likewise.
+    rim_by_lift, rim_by_drive : ndarray, shape (RIM, n) and (RIM,)
+        The lift at the rim likewise.
     compliance : ndarray, shape (N, N)
         Deflection by pressure.
     load_weights : ndarray, shape (N,)
@@ -95,11 +96,11 @@ class SqueezeFilm:
     grid: PolarGrid
     control: Control
     parabola: Array
-    pressure_by_film: Array
+    pressure_by_lift: Array
     pressure_by_drive: Array
-    height_by_film: Array
+    height_by_lift: Array
     height_by_drive: float
-    rim_by_film: Array
+    rim_by_lift: Array
     rim_by_drive: Array
     compliance: Array
     load_weights: Array
@@ -116,7 +117,7 @@ class SqueezeFilm:
         n, n_all = grid.n_r, grid.shape[0]
         elastic = substrate(grid)
 
-        # Beyond the last ring the pressure falls like r⁻⁴.  Its load is counted; what it deflects is of the order of the reach⁻³.
+        # Beyond the last ring the pressure falls like r⁻⁴.  Its load is counted, its deflection (of order reach⁻³) is not.
         extend = np.vstack([np.eye(n), np.zeros((RIM, n))])
         extend[n:, -1] = (grid.r[n - 1] / grid.r[n:]) ** DECAY
         weights = elastic.load_weights.reshape(n_all, -1).sum(axis=1)
@@ -127,10 +128,10 @@ class SqueezeFilm:
         if control == "load":
             # A uniform shift of the film changes the load by `lift`: h₀ is eliminated.
             lift = own_weights @ punch
-            height_by_film, height_by_drive = own_weights @ stiffness / lift, -1 / lift
+            height_by_lift, height_by_drive = own_weights @ stiffness / lift, -1 / lift
         else:
-            height_by_film, height_by_drive = np.zeros(n), 1.0
-        by_film = stiffness - np.outer(punch, height_by_film)
+            height_by_lift, height_by_drive = np.zeros(n), 1.0
+        by_film = stiffness - np.outer(punch, height_by_lift)
         by_drive = -punch * height_by_drive
 
         operator = ReynoldsOperator.on(grid)
@@ -149,11 +150,11 @@ class SqueezeFilm:
             grid=grid,
             control=control,
             parabola=grid.r**2 / 2,
-            pressure_by_film=extend @ by_film,
+            pressure_by_lift=extend @ by_film,
             pressure_by_drive=extend @ by_drive,
-            height_by_film=height_by_film,
+            height_by_lift=height_by_lift,
             height_by_drive=float(height_by_drive),
-            rim_by_film=compliance[n:] @ by_film + height_by_film,
+            rim_by_lift=compliance[n:] @ by_film + height_by_lift,
             rim_by_drive=compliance[n:] @ by_drive + height_by_drive,
             compliance=elastic.radial[0],
             load_weights=weights,
@@ -169,44 +170,43 @@ class SqueezeFilm:
         """Number of unknowns."""
         return self.grid.n_r
 
-    def pressure(self, film: Array, drive: float) -> Array:
-        """Pressure on all N rings under a film on n rings and what is prescribed."""
-        return self.pressure_by_film @ (film - self.parabola[: self.n]) + self.pressure_by_drive * drive
+    def pressure(self, lift: Array, drive: float) -> Array:
+        """Pressure on all N rings under a lift on n rings and what is prescribed."""
+        return self.pressure_by_lift @ lift + self.pressure_by_drive * drive
 
-    def height(self, film: Array, drive: float) -> float:
+    def height(self, lift: Array, drive: float) -> float:
         """h₀."""
-        return float(self.height_by_film @ (film - self.parabola[: self.n]) + self.height_by_drive * drive)
+        return float(self.height_by_lift @ lift + self.height_by_drive * drive)
 
     def load(self, pressure: Array) -> float:
         """∫p dA over the whole plane."""
         return float(self.load_weights @ pressure)
 
-    def whole_film(self, film: Array, drive: float) -> Array:
+    def whole_film(self, lift: Array, drive: float) -> Array:
         """Film on all N rings."""
-        shape = film - self.parabola[: self.n]
-        return np.append(film, self.parabola[self.n :] + self.rim_by_film @ shape + self.rim_by_drive * drive)
+        return self.parabola + np.append(lift, self.rim_by_lift @ lift + self.rim_by_drive * drive)
 
-    def film_under(self, pressure: Array, height: float) -> Array:
-        """Film on the n rings under a pressure on all N, Eq. (6c)."""
-        return height + (self.parabola + self.compliance @ pressure)[: self.n]
+    def lift_under(self, pressure: Array, height: float) -> Array:
+        """Lift on the n rings under a pressure on all N, Eq. (6c)."""
+        return height + (self.compliance @ pressure)[: self.n]
 
-    def flux(self, film: Array, drive: float) -> Array:
-        """r u³ ∂p/∂r on the faces: the inflow, over 2π."""
-        film_face = self.midpoint @ self.whole_film(film, drive)
-        return self.conductance * film_face**3 * (self.slope @ self.pressure(film, drive))
+    def flux(self, lift: Array, drive: float) -> Array:
+        """Flux r u³ ∂p/∂r on the faces: the inflow, over 2π."""
+        film_face = self.midpoint @ self.whole_film(lift, drive)
+        return self.conductance * film_face**3 * (self.slope @ self.pressure(lift, drive))
 
-    def rate(self, film: Array, drive: float) -> Array:
-        """∂u/∂t on the n rings."""
-        return (self.divergence @ self.flux(film, drive)) / self.cell
-
-    def flux_derivative(self, film: Array, drive: float) -> Array:
+    def flux_derivative(self, lift: Array, drive: float) -> Array:
         """∂flux/∂u, exact, shape (faces, n)."""
-        film_face = self.midpoint @ self.whole_film(film, drive)
-        slope = self.slope @ self.pressure(film, drive)
+        film_face = self.midpoint @ self.whole_film(lift, drive)
+        slope = self.slope @ self.pressure(lift, drive)
         n = self.n
-        film_part = self.midpoint[:, :n] + self.midpoint[:, n:] @ self.rim_by_film
-        by_pressure = (self.conductance * film_face**3)[:, None] * (self.slope @ self.pressure_by_film)
+        film_part = self.midpoint[:, :n] + self.midpoint[:, n:] @ self.rim_by_lift
+        by_pressure = (self.conductance * film_face**3)[:, None] * (self.slope @ self.pressure_by_lift)
         return by_pressure + (3 * self.conductance * film_face**2 * slope)[:, None] * film_part
+
+    def rate(self, flux: Array) -> Array:
+        """∂u/∂t on the n rings from the fluxes (or its derivatives, from theirs)."""
+        return (self.divergence @ flux) / (self.cell if flux.ndim == 1 else self.cell[:, None])
 
     def inflow_weights(self, rings: int) -> Array:
         """Weights that make of the fluxes the growth of the volume within a number of rings; zero but near its edge."""

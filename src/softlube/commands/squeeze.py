@@ -92,7 +92,6 @@ def squeeze(
             raise InputError("output, plot: expected two different files")
     from softlube.approach.physical import squeeze as follow
 
-    given = {"density": density} if density is not None else {}
     began = time.perf_counter()
     with Console(stderr=True, quiet=as_json).status("starting", spinner="dots") as status:
         result = follow(
@@ -108,7 +107,7 @@ def squeeze(
             film_limit=film_limit,
             accuracy=accuracy,
             progress=status.update,
-            **given,
+            density=1000.0 if density is None else density,
         )
         if output is not None:
             status.update("writing")
@@ -142,8 +141,10 @@ def _report(result: Squeeze, seconds: float, written: list[str]) -> None:
     for column in ("quantity", "value", "± error", "unit"):
         table.add_column(column, no_wrap=True, justify="right" if column == "value" else "left")
     for name, quantity in result.final.items():
-        if name == "pressure_min" and not float(quantity) < -1e-3 * float(result.final["pressure_max"]):
-            continue  # next to nothing unless there is suction
+        if name in ("pressure_max", "pressure_min") and abs(float(quantity)) < 1e-3 * abs(
+            float(result.final["pressure_center"])
+        ):
+            continue  # next to nothing: the far field's
         factor, unit = _prefixed(abs(float(quantity)), quantity.unit)
         error = quantity.error * factor
         text, doubt = rounded(float(quantity) * factor, error if error > 1e-9 * abs(float(quantity) * factor) else 0.0)
