@@ -13,6 +13,7 @@ from scipy.interpolate import CubicSpline
 from softlube.approach.motion import Motion
 from softlube.approach.rings import SqueezeFilm, Substrate, half_space_rings
 from softlube.errors import InputError, NotConvergedError
+from softlube.grid import PolarGrid
 
 Array = NDArray[np.floating]
 
@@ -136,7 +137,7 @@ def least_on_nodes(film: Array) -> float:
 def integrate(
     motion: Motion,
     *,
-    rings: int,
+    rings: int | PolarGrid,
     tolerance: float,
     film_limit: float = 0.0,
     substrate: Substrate = half_space_rings,
@@ -148,8 +149,8 @@ def integrate(
     ----------
     motion : Motion
         What moves the sphere.
-    rings : int
-        Rings of the grid.
+    rings : int or PolarGrid
+        Rings of the grid that suits the motion, or a grid.
     tolerance : float
         Relative error of the film allowed in a time step.
     film_limit : float
@@ -172,7 +173,7 @@ def integrate(
     where that is thin, and one of h₀ far outside, where the film's own size, r²/2, says nothing.  It conserves volume, which is
     linear in this unknown, to round-off.
     """
-    grid = motion.grid(rings)
+    grid = motion.grid(rings) if isinstance(rings, int) else rings
     film = SqueezeFilm.on(grid, motion.control, substrate)
     n = film.n
     parabola = film.parabola[:n]
@@ -204,7 +205,7 @@ def integrate(
         nonlocal steps
         steps += 1
         if progress is not None and steps % 20 == 0:
-            progress(f"{rings} rings: {100 * t / motion.duration:.3g} % of the time, step {steps}")
+            progress(f"{grid.n_r} rings: {100 * t / motion.duration:.3g} % of the time, step {steps}")
         return least_on_nodes(z[:n] - added + parabola) - film_limit
 
     above_limit.terminal = True  # type: ignore[attr-defined]
