@@ -40,7 +40,7 @@ def test_json_and_film_limit(capsys):
         ([*BALL, "--load", "1 N", "--duration", "1 s"], "--initial-height"),
         ([*FALL, "--plot", "a.bmp"], "--plot"),
         ([*FALL, "--output", "nowhere/a.nc"], "--output"),
-        ([*FALL, "--speed", "1 mm/s"], "--speed"),
+        ([*FALL, "--thickness", "1 mm"], "--thickness"),
     ],
 )
 def test_refused_with_a_reason(capsys, arguments, text):

@@ -29,7 +29,7 @@ STEPS_OF_A_FUNCTION = 400
 """Time steps at least through a history given as a function, whose features are not known."""
 
 
-def _si(name: str, value: object) -> float:
+def si(name: str, value: object) -> float:
     """A physical input in SI; messages name it as it was given."""
     kind = LIKE.get(name, name)
     try:
@@ -38,7 +38,7 @@ def _si(name: str, value: object) -> float:
         raise InputError(name + str(error).removeprefix(kind)) from None
 
 
-def _in_unit(name: str, value: object, unit: str, example: str) -> float:
+def in_unit(name: str, value: object, unit: str, example: str) -> float:
     """A finite quantity of any sign in a unit; text, pint quantity, or a number already in it."""
     import pint
 
@@ -85,7 +85,7 @@ def read_history(path: str | os.PathLike[str]) -> tuple[str, Array, Array]:
         raise InputError(f"history: {path!r}: {expected}")
     control = heads[1][1]
     scale = [
-        _in_unit("history", f"1 {head[2] or unit}", unit, f"a unit like {unit} in the header")
+        in_unit("history", f"1 {head[2] or unit}", unit, f"a unit like {unit} in the header")
         for head, unit in ((heads[0], "s"), (heads[1], COLUMNS[control]))
     ]
     try:
@@ -243,9 +243,9 @@ def squeeze(
     _exactly_one({"young_modulus": young_modulus, "shear_modulus": shear_modulus})
     ways = {"load": load, "approach_speed": approach_speed, "height": height, "history": history}
     _exactly_one(ways)
-    big, eta, rho = _si("radius", radius), _si("viscosity", viscosity), _si("density", density)
-    modulus = _si("shear_modulus", shear_modulus) if young_modulus is None else _si("young_modulus", young_modulus) / 3
-    limit = 0.0 if film_limit is None else _si("film_limit", film_limit)
+    big, eta, rho = si("radius", radius), si("viscosity", viscosity), si("density", density)
+    modulus = si("shear_modulus", shear_modulus) if young_modulus is None else si("young_modulus", young_modulus) / 3
+    limit = 0.0 if film_limit is None else si("film_limit", film_limit)
 
     table = read_history(history) if history is not None else None
     starts_itself = height is not None or (table is not None and table[0] == "height")
@@ -254,7 +254,7 @@ def squeeze(
             raise InputError(f"{name}: the history has its own; leave it out")
         if not unwanted and value is None:
             raise InputError(f"{name}: missing; expected {'a length' if name == 'initial_height' else 'a time'} with its unit")
-    end = float(table[1][-1]) if table is not None else _in_unit("duration", duration, "s", "a time such as '10 s'")
+    end = float(table[1][-1]) if table is not None else in_unit("duration", duration, "s", "a time such as '10 s'")
     if not end > 0:
         raise InputError(f"duration: expected a positive time, got {duration or end!s}")
     function = height if height is not None else load if callable(load) else None
@@ -263,11 +263,11 @@ def squeeze(
         if not first > 0:
             raise InputError(f"height: expected a history that starts above the surface, got {first:.3g} m at time 0")
     else:
-        first = _si("initial_height", initial_height)
+        first = si("initial_height", initial_height)
 
     speed = 0.0
     if approach_speed is not None:
-        speed = _in_unit("approach_speed", approach_speed, "m/s", "a speed such as '10 um/s', or '-10 um/s'")
+        speed = in_unit("approach_speed", approach_speed, "m/s", "a speed such as '10 um/s', or '-10 um/s'")
         if speed == 0:
             raise InputError("approach_speed: zero; nothing moves the sphere")
     if table is not None:
@@ -275,7 +275,7 @@ def squeeze(
     elif callable(load):
         largest = max(float(load(t)) for t in np.linspace(0, end, 201))
     else:
-        largest = _si("load", load) if load is not None else 0.0
+        largest = si("load", load) if load is not None else 0.0
     loaded = load is not None or (table is not None and table[0] == "load")
     if loaded and not largest > 0:
         raise InputError("load: expected a history that presses at some time; got no positive load")
