@@ -25,9 +25,9 @@ def test_rigid_sphere_at_constant_speed_meets_taylor_s_force():
 
 def test_rigid_sphere_under_a_constant_load_sinks_exponentially():
     """πV/(2h₀) = N: h₀ falls like exp(−2Nt/π)."""
-    load = 1e-7
-    run = integrate(constant_load(load, 1.0, 2e7), rings=91, tolerance=1e-8)
-    assert run.heights == pytest.approx(np.exp(-2 * load * run.time / np.pi), rel=2e-4)
+    load = 1e-4  # the substrate yields by about as little
+    run = integrate(constant_load(load, 1.0, 2e4), rings=91, tolerance=1e-7)
+    assert run.heights == pytest.approx(np.exp(-2 * load * run.time / np.pi), rel=1e-3)
 
 
 def test_soft_sphere_under_a_load_forms_a_dimple(dimple):
