@@ -51,3 +51,10 @@ def test_refused_with_a_reason(capsys, arguments, text):
 def test_separation_is_reported(capsys):
     assert main([*BALL, "--approach-speed", "-10 um/s", "--initial-height", "5 um", "--duration", "0.1 s"]) == 0
     assert "-" in capsys.readouterr().out
+
+
+def test_an_accuracy_that_is_not_reached_exits_3_and_writes_nothing(capsys, monkeypatch, tmp_path):
+    monkeypatch.setattr("softlube.approach.result.LADDER", (32, 36))
+    assert main([*FALL, "--accuracy", "1e-4", "--output", str(tmp_path / "a.nc")]) == 3
+    assert "36 rings" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
