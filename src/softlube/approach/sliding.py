@@ -91,15 +91,12 @@ class LinearisedStep(LinearisedContact):
     @cached_property
     def residual(self) -> Array:
         """Reynolds residual with the film's rate, then the load's defect."""
-        system = self.system
-        reynolds = system.reynolds.residual(system.pressure(self.x), self.film, system.speed)
         growth = self.mass @ (self.weight * self.film + self.known)
-        return np.append(reynolds + growth, system.load(self.x) - system.prescribed)
+        return super().residual + np.append(growth, 0.0)
 
     @cached_property
     def _derivatives(self) -> tuple[Sparse, Sparse]:
-        system = self.system
-        by_pressure, by_film = system.reynolds.derivatives(system.pressure(self.x), self.film, system.speed)
+        by_pressure, by_film = super()._derivatives
         return by_pressure, Sparse(by_film + self.weight * self.mass)
 
 
