@@ -276,6 +276,11 @@ app.command(
     help="Draw the paper's figures and report our numbers beside its.",
 )
 app.command("softlube.commands.flow:flow", name="flow", help="Draw the flow in the gap: streamlines, velocities, wall shear.")
+app.command(
+    "softlube.commands.squeeze:squeeze",
+    name="squeeze",
+    help="Press a sphere through a film, or pull it away: film, pressure and load against time.",
+)
 
 
 # --- the table ------------------------------------------------------------------------------------------------------
