@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import ive
 
-from softlube.elasticity import angular_transform, half_space, radial_operators, ring_kernels
+from softlube.elasticity import angular_transform, elastic_operator, radial_operators, ring_kernels
 from softlube.grid import PolarGrid
 from softlube.limits import disc_displacement, far_field_profile
 
@@ -47,7 +47,7 @@ def gaussian_error(n_r, n_theta, offset, side_layer=0.5):
     x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
     square = (x - offset) ** 2 + y**2
     exact = -(np.pi**1.5) * ive(0, square / 2)
-    result = -half_space(grid, "none").deflection(np.exp(-square).ravel()).reshape(grid.shape)
+    result = -elastic_operator(grid, "none").deflection(np.exp(-square).ravel()).reshape(grid.shape)
     return np.max(np.abs(result - exact)[grid.r < 5]), grid, np.exp(-square)
 
 
@@ -68,7 +68,7 @@ def test_displacement_off_centre_converges_geometrically_in_theta():
 def test_load_weights_integrate_a_gaussian():
     for offset in (0.0, 0.5):
         _, grid, pressure = gaussian_error(80, 24, offset)
-        assert half_space(grid, "none").load_weights @ pressure.ravel() == pytest.approx(np.pi, rel=2e-7)
+        assert elastic_operator(grid, "none").load_weights @ pressure.ravel() == pytest.approx(np.pi, rel=2e-7)
 
 
 def test_reciprocity():
@@ -76,7 +76,7 @@ def test_reciprocity():
     grid = PolarGrid(80, 20, layer=0.3)
     x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
     first, second = np.exp(-((x - 0.4) ** 2) - y**2).ravel(), np.exp(-2 * (x + 0.5) ** 2 - y**2).ravel()
-    operator = half_space(grid, "none")
+    operator = elastic_operator(grid, "none")
     work = [
         operator.load_weights @ (first * operator.deflection(second)),
         operator.load_weights @ (second * operator.deflection(first)),
@@ -90,7 +90,7 @@ def dense(operator, n):
 
 def test_deflection_is_made_of_its_couplings_between_rings():
     grid = PolarGrid(10, 6)
-    operator, n_angles = half_space(grid, "none"), grid.shape[1]
+    operator, n_angles = elastic_operator(grid, "none"), grid.shape[1]
     matrix = dense(operator, grid.shape[0] * n_angles)
     for target, sources in ((0, slice(0, 3)), (4, slice(2, 7)), (11, slice(9, 12))):
         blocks = operator.ring_coupling(target, sources)
@@ -100,7 +100,7 @@ def test_deflection_is_made_of_its_couplings_between_rings():
 
 def test_rings_that_are_left_out_carry_no_pressure():
     grid = PolarGrid(10, 6)
-    operator, pressure = half_space(grid, "none"), np.random.default_rng(1).random(grid.shape)
+    operator, pressure = elastic_operator(grid, "none"), np.random.default_rng(1).random(grid.shape)
     pressure[7:] = 0
     assert operator.deflection(pressure[:7].ravel()) == pytest.approx(operator.deflection(pressure.ravel()), rel=1e-13)
 
@@ -120,7 +120,7 @@ def test_angular_transform_is_exact_for_low_harmonics(side_layer):
 def test_far_field_beyond_the_grid(cavitation):
     """Displacement at the centre and load of the tail, against direct integration of its profile."""
     grid = PolarGrid(30, 16)
-    operator = half_space(grid, cavitation)
+    operator = elastic_operator(grid, cavitation)
     mean = quad(lambda t: 2 * far_field_profile(t, cavitation), 0, np.pi, points=[1.8924])[0]
     a = grid.r[-1]
     # ∫ f r⁻³ (1 − 4h₀/r²) r dr dθ, and at the centre the kernel 1/r makes it ∫ f r⁻³ (1 − 4h₀/r²) dr dθ.

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import sparse
 
-from softlube.elasticity import half_space
+from softlube.elasticity import elastic_operator
 from softlube.grid import PolarGrid
 from softlube.newton import newton
 from softlube.preconditioner import Border, FilmEquation, local_stiffness
@@ -25,7 +25,7 @@ PROBLEMS = [
 
 @pytest.fixture(scope="module")
 def elasticity():
-    substrate = half_space(GRID, "none")
+    substrate = elastic_operator(GRID, "none")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("softlube.preconditioner.SMALLEST", 0.0)  # every entry, also the nine in ten that are left out
         return substrate, local_stiffness(GRID, substrate)

@@ -13,6 +13,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from softlube.approach.physical import squeeze
+    from softlube.approach.result import Squeeze
     from softlube.contact import Contact
     from softlube.errors import InputError, NotConvergedError, SoftlubeError
     from softlube.experiments import fit
@@ -38,12 +40,14 @@ _HOME = {
     "SoftlubeError": "errors",
     "Solution": "solution",
     "fit": "experiments",
+    "Squeeze": "approach.result",
     "load": "io",
     "read_measurements": "measurements",
     "Rig": "rig",
     "solve": "solver",
     "stribeck_curve": "stribeck",
     "sweep": "sweeps",
+    "squeeze": "approach.physical",
 }
 
 __all__ = [
@@ -56,11 +60,13 @@ __all__ = [
     "Rig",
     "SoftlubeError",
     "Solution",
+    "Squeeze",
     "__version__",
     "fit",
     "load",
     "read_measurements",
     "solve",
+    "squeeze",
     "stribeck_curve",
     "sweep",
 ]

@@ -60,6 +60,10 @@ def solve(
     roughness: Physical = None,
     thickness: Physical = None,
     density: Physical = None,
+    poisson_ratio: Physical = None,
+    base: Physical = None,
+    pressure_viscosity: Physical = None,
+    viscosity_law: Physical = None,
     beta: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
     beta_load: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
     cavitation: Annotated[str, Parameter(group=_METHOD)] = "reynolds",
@@ -80,7 +84,7 @@ def solve(
     radius
         Radius of the sphere, such as "2 mm".
     young_modulus
-        Young's modulus of the substrate (incompressible), such as "3 MPa".
+        Young's modulus of the substrate, such as "3 MPa".
     shear_modulus
         Shear modulus instead, such as "1 MPa".
     viscosity
@@ -94,9 +98,17 @@ def solve(
     roughness
         Roughness height; a film below it is warned of.
     thickness
-        Thickness of the slab; a slab that is not much thicker than the contact is warned of.
+        Thickness of the substrate, a layer on a rigid base, such as "2 mm" [default: a half-space].
     density
         Density of the liquid, for the warning of inertia [default: 1000 kg/m^3].
+    poisson_ratio
+        Poisson's ratio of the substrate, 0 to 0.5 [default: 0.5].
+    base
+        How a layer lies on its base, "bonded" or "frictionless" [default: bonded].
+    pressure_viscosity
+        Pressure-viscosity coefficient, such as "20 GPa^-1" [default: constant viscosity].
+    viscosity_law
+        "barus" or "roelands" [default: barus].
     beta
         β = (2/3)(h0²/R) πG/(ηv) of a given indentation.
     beta_load
@@ -129,6 +141,10 @@ def solve(
         "roughness": roughness,
         "thickness": thickness,
         "density": density,
+        "poisson_ratio": poisson_ratio,
+        "base": base,
+        "pressure_viscosity": pressure_viscosity,
+        "viscosity_law": viscosity_law,
     }
     given = {name: value for name, value in physical.items() if value is not None}
     dimensionless = [name for name, value in (("beta", beta), ("beta_load", beta_load)) if value is not None]
@@ -260,6 +276,11 @@ app.command(
     help="Draw the paper's figures and report our numbers beside its.",
 )
 app.command("softlube.commands.flow:flow", name="flow", help="Draw the flow in the gap: streamlines, velocities, wall shear.")
+app.command(
+    "softlube.commands.squeeze:squeeze",
+    name="squeeze",
+    help="Press a sphere through a film, or pull it away: film, pressure and load against time.",
+)
 
 
 # --- the table ------------------------------------------------------------------------------------------------------

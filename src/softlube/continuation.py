@@ -16,10 +16,12 @@ from softlube.system import ContactSystem
 SMALLEST_RATIO = 1.02
 
 
-def march(problem: Problem, grid: PolarGrid, *, first: float = 30.0, ratio: float = 3.0) -> Iterator[NewtonResult]:
+def march(
+    problem: Problem, grid: PolarGrid, *, scale: float = 1.0, first: float = 30.0, ratio: float = 3.0
+) -> Iterator[NewtonResult]:
     """Solve on one grid from β = `first` (or its like under load control) to the problem's own, in geometric steps.
 
-    For contacts, h₀ < 0, where one unit of height serves all β.
+    For contacts, h₀ < 0, where one unit of height, `scale` times the problem's own, serves all β.
 
     A step that fails is halved (in ln β); the iterator ends, unconverged result last, when the ratio would fall below
     `SMALLEST_RATIO`.
@@ -36,7 +38,7 @@ def march(problem: Problem, grid: PolarGrid, *, first: float = 30.0, ratio: floa
     def attempt(log_beta: float, start: NDArray[np.floating] | None) -> NewtonResult:
         beta = float(np.exp(log_beta))
         there = replace(problem, beta_load=beta) if problem.load_controlled else replace(problem, beta=beta)
-        system = ContactSystem(there, grid)
+        system = ContactSystem(there, grid, scale)
         return newton(system, system.start() if start is None else start)
 
     result = attempt(here, None)

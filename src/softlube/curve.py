@@ -27,9 +27,11 @@ from scipy.interpolate import CubicSpline
 
 from softlube import limits
 from softlube.errors import InputError
+from softlube.fluids import Newtonian
 from softlube.problem import Problem
 from softlube.quantities import DESCRIPTION
 from softlube.solution import Quantity
+from softlube.substrates import HalfSpace
 
 Array = NDArray[np.floating]
 
@@ -237,6 +239,11 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
     InputError
         For a prescribed gap, h₀ ≥ 0, which has no curve of its own.
     """
+    if (problem.substrate, problem.fluid) != (HalfSpace(), Newtonian()):
+        raise InputError(
+            "thickness, pressure_viscosity: the master curve is for a half-space and constant viscosity; "
+            "solve the problem instead"
+        )
     if problem.height != -1:
         raise InputError("indentation: the master curve has no prescribed gaps; solve the problem instead")
     given: dict[str, Any] = {"beta_load" if problem.load_controlled else "beta": problem.parameter}

@@ -12,6 +12,7 @@ element, and points graded towards the target on the elements next to it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -127,8 +128,21 @@ def _interpolation(grid: PolarGrid, element: NDArray[np.intp], xi: Array) -> tup
     return node, weight
 
 
-def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
+Kernels = Callable[[int, Array, Array], Array]
+"""Harmonics of a substrate's kernel, called like `ring_kernels`."""
+
+
+def radial_operators(grid: PolarGrid, n_modes: int, harmonics: Kernels = ring_kernels) -> tuple[Array, Array]:
     """Product-integration matrices of the ring kernels on the nodes of the grid.
+
+    Parameters
+    ----------
+    grid : PolarGrid
+        Whose nodes carry the pressures.
+    n_modes : int
+        Number of harmonics.
+    harmonics : callable
+        The substrate's kernel; singular at most like ln|r − r′|.
 
     Returns
     -------
@@ -164,7 +178,7 @@ def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
     for first in range(0, n, batch):
         target = every[first : first + batch]
         near = (element > target - NEAR) & (element <= target + NEAR)
-        kernel = ring_kernels(n_modes, grid.r[target], r_points.reshape(-1, 1))
+        kernel = harmonics(n_modes, grid.r[target], r_points.reshape(-1, 1))
         kernel *= np.where(near, 0, measure.reshape(-1, 1))
         for m in range(n_modes):
             result[m, target] = (gather[m % 2] @ kernel[m]).T
@@ -179,7 +193,7 @@ def radial_operators(grid: PolarGrid, n_modes: int) -> tuple[Array, Array]:
         xi = edges[element, None] + length * (1 - t**4 if offset <= 0 else t**4)
         r_near = grid.r_of(xi)
         jacobian = length * (4 * t**3 * t_weight) * grid.dr_dxi(r_near) * r_near
-        near_kernel = ring_kernels(n_modes, grid.r[target, None], r_near) * jacobian
+        near_kernel = harmonics(n_modes, grid.r[target, None], r_near) * jacobian
         node, weight = _interpolation(grid, element, xi)
         share = np.einsum("mpk,pkc->mpc", near_kernel, weight)
         for column in range(STENCIL.size):
@@ -218,8 +232,8 @@ def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
 
 
 @dataclass(frozen=True)
-class HalfSpace:
-    """Displacement of the half-space under the nodal pressures of a grid and the far field beyond it.
+class ElasticOperator:
+    """Displacement of a substrate under the nodal pressures of a grid and the far field beyond it.
 
     Attributes
     ----------
@@ -268,11 +282,11 @@ class HalfSpace:
         return np.matmul(self.synthesis * self.radial[:, target, sources].T[:, None, :], self.analysis)
 
 
-def half_space(grid: PolarGrid, cavitation: str) -> HalfSpace:
-    """Assemble the elastic operator of a grid; Eq. (6b)."""
+def elastic_operator(grid: PolarGrid, cavitation: str, kernels: Kernels = ring_kernels) -> ElasticOperator:
+    """Assemble the elastic operator of a grid, Eq. (6b), for the substrate with the given kernel: the half-space's if none."""
     synthesis, analysis = angular_transform(grid)
     n_modes = analysis.shape[0]
-    radial, weights = radial_operators(grid, n_modes)
+    radial, weights = radial_operators(grid, n_modes, kernels)
 
     # Beyond the contact u = h₀ + r²/2 up to O(1/r), so p = f(θ)/(βr³)·(1 − 4h₀/r²), Eq. (9) with its first correction
     # (from Kapitza's solution).  With r′ = a/t the integral over (a, ∞) becomes one over t in (0, 1).
@@ -282,7 +296,7 @@ def half_space(grid: PolarGrid, cavitation: str) -> HalfSpace:
     x, x_weight = leggauss(24)
     t = 1 - ((x + 1) / 2) ** 3
     dt = 3 * ((x + 1) / 2) ** 2 * x_weight / 2
-    kernel = ring_kernels(n_modes, grid.r[:, None], a / t) / a * dt
+    kernel = kernels(n_modes, grid.r[:, None], a / t) / a * dt
     # The profile has a kink in its second derivative at the front, so its coefficients are taken on a fine mesh.
     angle = (np.arange(4000) + 0.5) * np.pi / 4000
     harmonics = np.cos(np.outer(np.arange(n_modes), angle)) @ far_field_profile(angle, cavitation) * 2 / 4000
@@ -290,7 +304,7 @@ def half_space(grid: PolarGrid, cavitation: str) -> HalfSpace:
     parts = np.stack([kernel.sum(-1), kernel @ (-4 * (t / a) ** 2)])
     far_displacement = np.einsum("m,pmr,km->prk", harmonics, parts, synthesis).reshape(2, -1)
 
-    return HalfSpace(
+    return ElasticOperator(
         radial=radial,
         synthesis=synthesis,
         analysis=analysis,

@@ -98,6 +98,14 @@ def moes_load(beta_load: ArrayLike) -> Array:
     return (np.asarray(beta_load, dtype=float) / BETA_LOAD_OF_M) ** 0.75
 
 
+def alpha_of_moes(m: ArrayLike, material: ArrayLike) -> Array:
+    """ᾱ of `softlube.fluids.Barus` under a prescribed load, from Moes' M and L: (π/2)(3M/2)^(1/3) L.
+
+    From ᾱ = 4πGα√(δ/R) with δ of Eq. (29), E′ = 8G.
+    """
+    return np.pi / 2 * np.cbrt(1.5 * np.asarray(m, dtype=float)) * np.asarray(material, dtype=float)
+
+
 def moes_film(film: ArrayLike, beta: ArrayLike) -> Array:
     """Moes' film parameter H = (h/R)(2U)^(−1/2) of a film ū = u/|h₀| at β of Eq. (6d)."""
     return np.asarray(film, dtype=float) * np.sqrt(12 * np.asarray(beta, dtype=float) / np.pi)

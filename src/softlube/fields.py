@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Protocol
 
@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import RectBivariateSpline
 
+from softlube.fluids import Fluid, Newtonian
 from softlube.problem import Cavitation
 
 Array = NDArray[np.floating]
@@ -48,6 +49,8 @@ class Fields:
         ∫p dA over the whole plane, taken by the discretisation's own quadrature.
     height : float
         h₀ over the unit of height: −1 in the paper's normalisation.
+    fluid : Fluid
+        The law of the viscosity.
     """
 
     chart: Chart
@@ -59,6 +62,7 @@ class Fields:
     cavitation: Cavitation
     load: float
     height: float = -1.0
+    fluid: Fluid = field(default_factory=Newtonian)
 
     def in_units(self, unit: float) -> Fields:
         """The same fields normalised with another unit of height, given over the present one; Eq. (4)."""
@@ -72,6 +76,7 @@ class Fields:
             cavitation=self.cavitation,
             load=self.load * unit**-1.5,
             height=self.height / unit,
+            fluid=self.fluid.in_units(unit),
         )
 
     def _spline(self, values: Array) -> RectBivariateSpline:
@@ -116,6 +121,10 @@ class Fields:
         """ū at polar coordinates (broadcast)."""
         xi, s = self._place(r, theta)
         return self.film_spline(xi, s, grid=False)
+
+    def viscosity_on(self, xi: Array, s: Array) -> Array:
+        """η(p)/η₀ on the product of chart coordinates."""
+        return self.fluid.viscosity(self.pressure_spline(xi, s))
 
     def gradient_on(self, xi: Array, s: Array) -> tuple[Array, Array]:
         """Cartesian pressure gradient (∂p/∂x, ∂p/∂y) on the product of chart coordinates ξ > 0 and s."""

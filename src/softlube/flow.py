@@ -76,6 +76,11 @@ def _level(
     return np.where(inside, zeta, np.nan), np.where(inside, rest, np.nan)
 
 
+def _viscosity(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Array:
+    """η/η₀ at polar coordinates."""
+    return solution.fields.fluid.viscosity(solution.fields.pressure_at(r, theta))
+
+
 def _check_frame(frame: str) -> None:
     if frame not in get_args(Frame):
         raise InputError(f"frame: expected 'substrate' or 'sphere', got {frame!r}")
@@ -122,7 +127,7 @@ def velocity(
     _check_frame(frame)
     zeta, rest = _level(solution, r, theta, z, level)
     p_r, p_t = pressure_gradient(solution, r, theta)
-    parabola = -3 * solution.fields.beta * solution.fields.film_at(r, theta) ** 2 * zeta * rest
+    parabola = -3 * solution.fields.beta * solution.fields.film_at(r, theta) ** 2 * zeta * rest / _viscosity(solution, r, theta)
     couette = zeta if frame == "substrate" else -rest
     return parabola * p_r + couette * np.cos(theta), parabola * p_t - couette * np.sin(theta)
 
@@ -131,7 +136,7 @@ def mean_velocity(solution: Solution, r: ArrayLike, theta: ArrayLike, *, frame: 
     """Velocity averaged through the film, Eq. (24)."""
     _check_frame(frame)
     p_r, p_t = pressure_gradient(solution, r, theta)
-    mobility = -solution.fields.beta / 2 * solution.fields.film_at(r, theta) ** 2
+    mobility = -solution.fields.beta / 2 * solution.fields.film_at(r, theta) ** 2 / _viscosity(solution, r, theta)
     couette = 0.5 if frame == "substrate" else -0.5
     return mobility * p_r + couette * np.cos(theta), mobility * p_t - couette * np.sin(theta)
 
@@ -141,14 +146,15 @@ def shear_stress(
 ) -> tuple[Array, Array]:
     """Shear stress (τ̄_zx, τ̄_zy) in the film, Eq. (25) and its like along y, in units of ηv over the unit of height.
 
-    On the sphere (level 1): 3βū∂p̄/∂x + 1/ū; on the substrate (level 0): −3βū∂p̄/∂x + 1/ū.
+    On the sphere (level 1): 3βū∂p̄/∂x + (η/η₀)/ū; on the substrate (level 0): −3βū∂p̄/∂x + (η/η₀)/ū.
     """
     zeta, rest = _level(solution, r, theta, z, level)
     p_r, p_t = pressure_gradient(solution, r, theta)
     film = solution.fields.film_at(r, theta)
     slope = 3 * solution.fields.beta * film * (zeta - rest)
     cosine, sine = np.cos(theta), np.sin(theta)
-    return slope * (cosine * p_r - sine * p_t) + 1 / film, slope * (sine * p_r + cosine * p_t)
+    couette = _viscosity(solution, r, theta) / film
+    return slope * (cosine * p_r - sine * p_t) + couette, slope * (sine * p_r + cosine * p_t)
 
 
 # --- flux -----------------------------------------------------------------------------------------------------------

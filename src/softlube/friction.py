@@ -34,7 +34,7 @@ class FrictionSplit:
     ----------
     cutoff : float
     couette : float
-        (1/β)∫1/ū dA, the same on both walls.
+        (1/β)∫(η/η₀)/ū dA, the same on both walls.
     poiseuille : float
         3∫ū ∂p̄/∂x dA, what the pressure gradient adds on the sphere and takes from the substrate.
     sphere_pressure : float
@@ -96,7 +96,7 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
         return np.cos(chart.theta_of(s))
 
     def couette(xi: Array, s: Array) -> Array:
-        return 1 / (fields.beta * fields.film_spline(xi, s))
+        return fields.viscosity_on(xi, s) / (fields.beta * fields.film_spline(xi, s))
 
     def poiseuille(xi: Array, s: Array) -> Array:
         return 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0]

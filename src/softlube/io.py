@@ -82,7 +82,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
         "other_normalisation": other,
         "cavitation": solution.problem.cavitation,
         "accuracy": solution.accuracy,
-        "problem": json.dumps(asdict(solution.problem)),
+        "problem": json.dumps(solution.problem.to_plain()),
         "grid": json.dumps(asdict(chart)) if isinstance(chart, PolarGrid) else POLAR,
         "levels": json.dumps([_plain(level) for level in solution.levels], default=float),
         "warnings": json.dumps(list(solution.warnings)),
@@ -141,7 +141,7 @@ def load(path: str | os.PathLike[str]) -> Solution:
     attrs: Mapping = data.attrs
     if "height" not in attrs:
         raise InputError(f"path: {str(path)!r} was written by an earlier version of softlube; solve and save it again")
-    problem = Problem(**json.loads(attrs["problem"]))
+    problem = Problem.from_plain(json.loads(attrs["problem"]))
     quantities = read("")
     levels = json.loads(attrs["levels"])
     return Solution(
@@ -156,6 +156,7 @@ def load(path: str | os.PathLike[str]) -> Solution:
             cavitation=problem.cavitation,
             load=float(quantities["load"]),
             height=float(attrs["height"]),
+            fluid=problem.fluid,
         ),
         quantities=quantities,
         beta=float(attrs["beta"]),

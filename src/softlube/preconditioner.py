@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.linalg import lapack
 
-from softlube.elasticity import HalfSpace
+from softlube.elasticity import ElasticOperator
 from softlube.grid import PolarGrid
 from softlube.reynolds import Sparse, scaled_rows
 
@@ -30,7 +30,7 @@ SMALLEST = 0.01
 """Entries of the stiffness below this, relative to their diagonals, are left out: nine in ten, and GMRES does not notice."""
 
 
-def local_stiffness(grid: PolarGrid, substrate: HalfSpace) -> Sparse:
+def local_stiffness(grid: PolarGrid, substrate: ElasticOperator) -> Sparse:
     """Pressure from film, δp ≈ S δu, each ring's from itself and its neighbours.
 
     Row block k of S is row block k of the inverse of K restricted to the rings k − 1 … k + 1.

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Literal, get_args
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, get_args
 
+from softlube import fluids, substrates
 from softlube.errors import InputError
+from softlube.fluids import Fluid, Newtonian
+from softlube.substrates import HalfSpace, Substrate
 
 Cavitation = Literal["reynolds", "none"]
 
 
 @dataclass(frozen=True)
 class Problem:
-    """A sphere sliding over a half-space, normalised as in the paper.
+    """A sphere sliding over an elastic substrate, normalised as in the paper.
 
     Exactly one of `beta` and `beta_load` is given.
 
@@ -29,6 +33,11 @@ class Problem:
         Sign of the prescribed height of the sphere's lowest point over the undeformed surface: −1, the paper's indentation;
         1, a gap |h₀|; 0, a sphere just touching the undeformed surface, where the height that β is formed with is any other
         unit of height.
+    substrate : Substrate
+        What the sphere slides over, see `softlube.substrates`; lengths over √(R × unit of height), where the unit is what β is
+        formed with: |h₀|, or the Hertz indentation that the load would make in a half-space.
+    fluid : Fluid
+        The law of the viscosity, see `softlube.fluids`; pressures over 4πG√(unit of height/R).
 
     Raises
     ------
@@ -41,6 +50,8 @@ class Problem:
     beta_load: float | None = None
     cavitation: Cavitation = "reynolds"
     height: int = -1
+    substrate: Substrate = field(default_factory=HalfSpace)
+    fluid: Fluid = field(default_factory=Newtonian)
 
     def __post_init__(self) -> None:
         if (self.beta is None) == (self.beta_load is None):
@@ -60,6 +71,21 @@ class Problem:
             raise InputError(f"height: expected -1 (indentation), 0 or 1 (gap), got {self.height!r}")
         if self.beta_load is not None and self.height != -1:
             raise InputError("height, beta_load: under a prescribed load the height is an unknown; leave it out")
+
+    def to_plain(self) -> dict[str, Any]:
+        """The problem in plain values, for files; one of the paper's model looks as it did before there were others."""
+        values: dict[str, Any] = {name: getattr(self, name) for name in ("beta", "beta_load", "cavitation", "height")}
+        models = {"substrate": substrates.to_plain(self.substrate), "fluid": fluids.to_plain(self.fluid)}
+        return values | {name: model for name, model in models.items() if len(model) > 1}
+
+    @classmethod
+    def from_plain(cls, values: Mapping[str, Any]) -> Problem:
+        """Inverse of `to_plain`."""
+        models: dict[str, Any] = {
+            "substrate": substrates.from_plain(values.get("substrate")),
+            "fluid": fluids.from_plain(values.get("fluid")),
+        }
+        return cls(**(dict(values) | models))
 
     @property
     def load_controlled(self) -> bool:

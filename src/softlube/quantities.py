@@ -111,13 +111,13 @@ def load_within(fields: Fields, cutoff: float) -> float:
 def friction_within(fields: Fields, cutoff: float) -> float:
     """Friction force on the sphere over r ≤ cutoff, Eq. (27a), in units of (2π/3) G h₀² (or of the unit of height squared).
 
-    ∫ (3 ū ∂p̄/∂x + 1/(βū)) dA.  The Couette part grows like ln(cutoff) as the film opens, so a friction is a number only
+    ∫ (3 ū ∂p̄/∂x + (η/η₀)/(βū)) dA.  The Couette part grows like ln(cutoff) as the film opens, so a friction is a number only
     together with its region.  Behind the free boundary the gap counts as full of liquid, as in the paper.
     """
 
     def shear(xi: Array, s: Array) -> Array:
         film = fields.film_spline(xi, s)
-        return 3 * film * fields.gradient_on(xi, s)[0] + 1 / (fields.beta * film)
+        return 3 * film * fields.gradient_on(xi, s)[0] + fields.viscosity_on(xi, s) / (fields.beta * film)
 
     return integrate(fields, shear, cutoff)
 
@@ -126,7 +126,7 @@ def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
     """Larger of the shear rates on the two walls, Eq. (25) with its transverse component, in units of v/|h₀|."""
     film = fields.film_spline(xi, s)
     p_x, p_y = fields.gradient_on(xi, s)
-    poiseuille = 3 * fields.beta * film
+    poiseuille = 3 * fields.beta * film / fields.viscosity_on(xi, s)
     return np.hypot(1 / film + np.abs(poiseuille * p_x), poiseuille * p_y)
 
 

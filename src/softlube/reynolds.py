@@ -1,8 +1,9 @@
 """The Reynolds equation (1b), (6a) on the polar grid, conservative and of fourth order.
 
-    ∇·(u³∇p) + (1/β) ∂u/∂x = 0.
+    ∇·(φu³∇p) + (1/β) ∂u/∂x = 0,
 
-In the uniform coordinates (ξ, s) the flux q = u³∇p + (u/β) e_x balances as ∂_ξ(θ′ r q_r) + ∂_s(r′ q_θ) = 0 with r′ = dr/dξ and
+φ = η₀/η(p) the fluid's fluidity, 1 in the paper.  In the uniform coordinates (ξ, s) the flux q = φu³∇p + (u/β) e_x balances
+as ∂_ξ(θ′ r q_r) + ∂_s(r′ q_θ) = 0 with r′ = dr/dξ and
 θ′ = dθ/ds.  Fluxes live on the faces of the cells: gradient and film come from the four nearest nodes, the divergence from the
 four nearest faces.  The metric factors of the Couette flux are differences of sin θ and r themselves, so that a uniform film
 carries no pressure, exactly.
@@ -17,13 +18,18 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
+from softlube.fluids import Fluid, Newtonian
 from softlube.grid import PolarGrid
 
 Array = NDArray[np.floating]
 Sparse = sparse.csr_array
 
+CONSTANT = Newtonian()
+
 # Staggered formulas of fourth order: value and derivative half-way between nodes, offsets from the face −2, −1, 0, 1.
 MIDPOINT = {-2: -1 / 16, -1: 9 / 16, 0: 9 / 16, 1: -1 / 16}
+UPSTREAM = {-2: 1 / 16, -1: -3 / 16, 0: 3 / 16, 1: -1 / 16}
+"""What makes `MIDPOINT` the quadratic through two nodes upstream, at higher index, and one downstream; of third order."""
 SLOPE = {-2: 1 / 24, -1: -27 / 24, 0: 27 / 24, 1: -1 / 24}
 
 
@@ -75,6 +81,8 @@ class ReynoldsOperator:
     ----------
     slope, midpoint : tuple of sparse matrices
         Difference of the pressure and value of the film on the radial and the angular faces.
+    upstream : tuple of sparse matrices
+        What takes the midpoint to the upstream side.
     divergence : tuple of sparse matrices
         From the fluxes on radial and angular faces to the balance of each cell.
     conductance, drag : tuple of ndarray
@@ -83,6 +91,7 @@ class ReynoldsOperator:
 
     slope: tuple[Sparse, Sparse]
     midpoint: tuple[Sparse, Sparse]
+    upstream: tuple[Sparse, Sparse]
     divergence: tuple[Sparse, Sparse]
     conductance: tuple[Array, Array]
     drag: tuple[Array, Array]
@@ -115,6 +124,8 @@ class ReynoldsOperator:
         balance_r = sparse.csr_array(balance_r - _kron(lost, np.tile(ring, (n_angles, 1))))
 
         n_gaps = grid.n_theta
+        bias_r = both(*(np.vstack([part, np.zeros((1, n_nodes))]) for part in _radial(UPSTREAM, n_faces - 1, n_nodes, 0, -1)))
+        bias_t = _angular(UPSTREAM, n_gaps, n_angles, 1, on_axis=True, sign=1)
         value_t = _angular(MIDPOINT, n_gaps, n_angles, 1, on_axis=True, sign=1)
         slope_t = _angular(SLOPE, n_gaps, n_angles, 1, on_axis=True, sign=1) / grid.d_s
         balance_t = _angular(SLOPE, n_angles, n_gaps, 0, on_axis=False, sign=-1) / grid.d_s
@@ -124,18 +135,21 @@ class ReynoldsOperator:
         theta_face = grid.theta_of(grid.s_face)
         cosine = balance_t @ np.sin(theta_face)  # θ′ cos θ
         stretch = (outflow - inflow) @ r_face / grid.d_xi  # r′
+        drag = np.outer(r_face, cosine).ravel(), -np.outer(stretch, np.sin(theta_face)).ravel()
         return cls(
             slope=(slope_r, _kron(inner, slope_t)),
             midpoint=(value_r, _kron(inner, value_t)),
+            # The liquid comes from +x: a face whose drag is positive has its upstream nodes at higher index.
+            upstream=(scaled_rows(bias_r, np.sign(drag[0])), scaled_rows(_kron(inner, bias_t), np.sign(drag[1]))),
             divergence=(balance_r, _kron(np.eye(n_r), balance_t)),
             conductance=(
                 np.outer(r_face / grid.dr_dxi(r_face), grid.dtheta_ds(grid.s)).ravel(),
                 np.outer(grid.dr_dxi(r) / r, 1 / grid.dtheta_ds(grid.s_face)).ravel(),
             ),
-            drag=(np.outer(r_face, cosine).ravel(), -np.outer(stretch, np.sin(theta_face)).ravel()),
+            drag=drag,
         )
 
-    def residual(self, pressure: Array, film: Array, speed: float) -> Array:
+    def residual(self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT) -> Array:
         """Minus the balance of (6a) at the unknown nodes; positive where the film would be starved (p = 0).
 
         Parameters
@@ -144,24 +158,71 @@ class ReynoldsOperator:
             On all nodes, rim included.
         speed : float
             1/β, the normalised speed.
+        fluid : Fluid
+            Its fluidity is taken at the pressure on the faces.
+
+        Notes
+        -----
+        Where the fluidity goes to zero nothing but ∂u/∂x is left of the equation, and a central formula does not see a film
+        that alternates from node to node.  So the film that is carried along is taken from upstream there, with the weight
+        1 − φ: not at all for constant viscosity.
         """
         balance = 0.0
-        for slope, midpoint, divergence, conductance, drag in self._directions():
-            film_face = midpoint @ film
-            balance = balance + divergence @ (conductance * film_face**3 * (slope @ pressure) + speed * drag * film_face)
+        for face in self._faces(pressure, film, fluid):
+            poiseuille = face.conductance * face.film**3 * face.fluidity * face.gradient
+            balance = balance + face.divergence @ (poiseuille + speed * face.drag * (face.film + face.weight * face.bias))
         return -np.asarray(balance)
 
-    def derivatives(self, pressure: Array, film: Array, speed: float) -> tuple[Sparse, Sparse]:
+    def derivatives(self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT) -> tuple[Sparse, Sparse]:
         """Exact derivatives of `residual` by pressure and by film, each (unknown nodes, all nodes), sparse."""
         shape = (self.divergence[0].shape[0], self.slope[0].shape[1])
         by_pressure, by_film = sparse.csr_array(shape), sparse.csr_array(shape)
-        for slope, midpoint, divergence, conductance, drag in self._directions():
-            film_face = midpoint @ film
-            mobility = conductance * film_face**3
-            transport = 3 * conductance * film_face**2 * (slope @ pressure) + speed * drag
-            by_pressure = by_pressure - divergence @ scaled_rows(slope, mobility)
-            by_film = by_film - divergence @ scaled_rows(midpoint, transport)
+        for face in self._faces(pressure, film, fluid):
+            mobility = face.conductance * face.film**3
+            transport = 3 * face.conductance * face.film**2 * face.fluidity * face.gradient + speed * face.drag
+            flux_p, flux_u = scaled_rows(face.slope, mobility * face.fluidity), scaled_rows(face.midpoint, transport)
+            if np.any(face.thickening):
+                other = mobility * face.gradient - np.where(face.weight > 0, speed * face.drag * face.bias, 0.0)
+                flux_p = Sparse(flux_p + scaled_rows(face.midpoint, face.thickening * other))
+                flux_u = Sparse(flux_u + scaled_rows(face.upstream, speed * face.drag * face.weight))
+            by_pressure = by_pressure - face.divergence @ flux_p
+            by_film = by_film - face.divergence @ flux_u
         return by_pressure, by_film
 
-    def _directions(self) -> Iterator[tuple[Sparse, Sparse, Sparse, Array, Array]]:
-        return zip(self.slope, self.midpoint, self.divergence, self.conductance, self.drag, strict=True)
+    def _faces(self, pressure: Array, film: Array, fluid: Fluid) -> Iterator[_Faces]:
+        """What both need on the radial faces, then on the angular ones."""
+        parts = (self.slope, self.midpoint, self.upstream, self.divergence, self.conductance, self.drag)
+        for slope, midpoint, upstream, divergence, conductance, drag in zip(*parts, strict=True):
+            fluidity, thickening = fluid.fluidity(midpoint @ pressure)
+            yield _Faces(
+                slope,
+                midpoint,
+                upstream,
+                divergence,
+                conductance,
+                drag,
+                film=midpoint @ film,
+                gradient=slope @ pressure,
+                bias=upstream @ film,
+                fluidity=fluidity,
+                thickening=thickening,
+                weight=np.maximum(1 - fluidity, 0.0),
+            )
+
+
+@dataclass(frozen=True)
+class _Faces:
+    """Formulas and values on the faces of one direction; see `ReynoldsOperator`."""
+
+    slope: Sparse
+    midpoint: Sparse
+    upstream: Sparse
+    divergence: Sparse
+    conductance: Array
+    drag: Array
+    film: Array
+    gradient: Array
+    bias: Array
+    fluidity: Array
+    thickening: Array
+    weight: Array

@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
 from softlube.continuation import march
+from softlube.dry import DryContact, dry_contact_at
 from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
+from softlube.fluids import Fluid, Newtonian
 from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD
 from softlube.newton import Iteration, NewtonResult, newton
 from softlube.problem import Problem
 from softlube.quantities import BOUNDARY_LAYER_LEVEL, measure
 from softlube.solution import Level, Quantity, Solution
+from softlube.substrates import HalfSpace, Substrate
 from softlube.system import ContactSystem
 
 Array = NDArray[np.floating]
@@ -95,18 +98,33 @@ SMALLEST_BETA = 1e-6
 def unit_for(problem: Problem) -> float:
     """Unit of height that suits the mesh, over the problem's own: √unit is where the mesh is refined.
 
-    A contact has its edge at r = 1.  Where the film is thicker than the indentation, the pressure is as wide as the gap allows
+    A contact has its edge, as found dry, at r = 1 (on a half-space the units are the same).  Where the film is thicker than
+    the indentation, the pressure is as wide as the gap allows
     (the rigid sphere's is largest at r = 0.26 √(2h₀)).
     """
+    pressed = _dry(problem).radius ** 2
     if problem.load_controlled:
-        return 1 + 0.18 * max(first_height(problem), 0)
+        return pressed + 0.18 * max(first_height(problem), 0)
     lifted = np.sqrt(TOUCHING / problem.parameter)
-    return float({-1: max(1.0, lifted), 0: lifted, 1: 0.2 + lifted}[problem.height])
+    over_contact = pressed * max(1.0, np.sqrt(TOUCHING / like_hertz(problem)))
+    return float({-1: over_contact, 0: lifted, 1: 0.2 + lifted}[problem.height])
+
+
+def _dry(problem: Problem) -> DryContact:
+    """The contact without the film, under the problem's load or at its indentation."""
+    if problem.load_controlled:
+        return dry_contact_at(problem.substrate, load=HERTZ_LOAD)
+    return dry_contact_at(problem.substrate, indentation=1.0)
+
+
+def like_hertz(problem: Problem) -> float:
+    """β of the contact on a half-space with the same layers at its edge; the problem's own if it is one."""
+    return _dry(problem).like_hertz(problem.parameter)
 
 
 def _over_a_gap(problem: Problem) -> bool:
     """Whether the sphere stays above the undeformed surface, or about."""
-    return problem.height >= 0 or (problem.load_controlled and unit_for(problem) > 1.01)
+    return problem.height >= 0 or (problem.load_controlled and unit_for(problem) > 1.01 * _dry(problem).radius ** 2)
 
 
 def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
@@ -117,7 +135,7 @@ def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
     operator.
     """
     gap = _over_a_gap(problem)
-    beta = 1.0 if gap else max(problem.parameter, 1.0)
+    beta = 1.0 if gap else max(like_hertz(problem), 1.0)
     step = np.round(np.log2(beta**-0.4))
     grid = PolarGrid(
         n_r=8,
@@ -132,12 +150,14 @@ def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
 def first_height(problem: Problem) -> float:
     """About the height under a load, in units of the load's Hertz indentation.
 
-    In the Hertz limit h₀ + 1 ~ β^(−3/5).  A light load is carried by the rigid sphere's pressure, which goes like 1/(β√h₀), or
+    In the Hertz limit h₀ + 1 ~ β^(−3/5), and another substrate is as deep as dry.  A light load is carried by the rigid
+    sphere's pressure, which goes like 1/(β√h₀), or
     without the Reynolds condition by what the deformation adds to it, like 1/(β²h₀^(5/2)) (constants measured).
     """
-    beta = problem.parameter
+    beta, dry = like_hertz(problem), _dry(problem)
     if beta > TOUCHING / 2:
-        return 2.6 * beta**-0.6 - 1
+        return 2.6 * dry.radius**2 * dry.edge * beta**-0.6 - dry.indentation
+    beta = problem.parameter
     return 5.5 / beta**2 if problem.cavitation == "reynolds" else 0.65 / beta**0.8
 
 
@@ -154,6 +174,7 @@ def fields_of(system: ContactSystem, x: Array) -> Fields:
         cavitation=system.problem.cavitation,
         load=system.load(x),
         height=system.height(x),
+        fluid=system.fluid,
     )
     return fields.in_units(1 / system.scale)
 
@@ -187,11 +208,19 @@ def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solve
     history: list[Iteration] = []
     if start is None:
         start = system.start(first_height(problem) / system.scale)
-        if problem.parameter > DEEP and problem.load_controlled:
-            # The step from a guess is safer with the height held, and the height is −1 but for β^(−3/5).
-            held = newton(ContactSystem(Problem(beta=problem.parameter, cavitation=problem.cavitation), grid), start[:-1])
+        if like_hertz(problem) > DEEP and problem.load_controlled:
+            # The step from a guess is safer with the height held, and the height is the dry one but for β^(−3/5).
+            depth = _dry(problem).indentation
+            pressed = replace(
+                problem,
+                beta=problem.parameter * depth**2,
+                beta_load=None,
+                substrate=problem.substrate.in_units(depth),
+                fluid=problem.fluid.in_units(depth),
+            )
+            held = newton(ContactSystem(pressed, grid, system.scale / depth), start[:-1])
             history += held.history
-            start = np.append(held.x, -1.0)
+            start = np.append(held.x, -depth / system.scale)
     result = newton(system, start, tolerance=COARSE_TOLERANCE if grid.n_theta <= FIRST_ANGLES else FINE_TOLERANCE)
     history += result.history
     if not result.converged:
@@ -209,7 +238,8 @@ def _other_unit(problem: Problem, fields: Fields) -> float:
 def _second_attempt(problem: Problem, grid: PolarGrid, history: list[Iteration]) -> NewtonResult:
     """March in β where the direct start failed."""
     result = None
-    for result in march(problem, grid) if unit_for(problem) == 1 else ():
+    pressed = _dry(problem).radius ** 2
+    for result in march(problem, grid, scale=pressed) if unit_for(problem) == pressed else ():
         history += result.history
     if result is None or not result.converged:
         last = history[-1] if history else Iteration(np.nan, np.nan, 0, 0)
@@ -241,7 +271,7 @@ def floors_for(problem: Problem) -> Mapping[str, float]:
         floors |= SUCTION
     elif _over_a_gap(problem):
         floors |= FREE_BOUNDARY_GAP
-    if problem.parameter > DEEP_BETA and not _over_a_gap(problem):
+    if like_hertz(problem) > DEEP_BETA and not _over_a_gap(problem):
         floors |= FREE_BOUNDARY_DEEP
     return floors
 
@@ -281,7 +311,7 @@ def estimate_errors(
 
 
 def _looser(problem: Problem) -> Mapping[str, float]:
-    return LOOSER_DEEP if problem.parameter > COARSE_BETA else LOOSER
+    return LOOSER_DEEP if like_hertz(problem) > COARSE_BETA else LOOSER
 
 
 def _unresolved(
@@ -301,7 +331,7 @@ def climb(problem: Problem) -> Iterator[Solved]:
     """Solve on ever finer grids, each starting from the one before."""
     start, coarse = None, None
     # Twelve intervals cannot hold the layers of a very large β together.
-    for n_theta in LADDER[1:] if problem.parameter > COARSE_BETA else LADDER:
+    for n_theta in LADDER[1:] if like_hertz(problem) > COARSE_BETA else LADDER:
         grid = grid_for(problem, n_theta)
         if start is not None and coarse is not None:
             start = prolong(start, coarse, grid, problem)
@@ -315,6 +345,8 @@ def solve(
     *,
     beta_load: float | None = None,
     cavitation: str = "reynolds",
+    substrate: Substrate | None = None,
+    fluid: Fluid | None = None,
     accuracy: float = DEFAULT_ACCURACY,
     method: str = "newton",
     progress: Callable[[str], None] | None = None,
@@ -329,6 +361,10 @@ def solve(
         Instead of `beta`: the same with the Hertz indentation of a prescribed load, Eq. (30).
     cavitation : {"reynolds", "none"}
         Reynolds condition, or negative pressures allowed.
+    substrate : Substrate, optional
+        Of `softlube.substrates`; the half-space if none.
+    fluid : Fluid, optional
+        Of `softlube.fluids`; constant viscosity if none.
     accuracy : float
         Relative error aimed at (film_min: three times that, ten times beyond β = 3·10⁶).  Grids follow from it.
     method : {"newton", "relaxation", "cartesian"}
@@ -355,7 +391,13 @@ def solve(
     >>> round(solution.film_center, 5), solution.film_center.error < 1e-5
     (0.01615, True)
     """
-    problem = Problem(beta, beta_load, cavitation)  # type: ignore[arg-type]
+    problem = Problem(
+        beta,
+        beta_load,
+        cavitation,  # type: ignore[arg-type]
+        substrate=substrate or HalfSpace(),
+        fluid=fluid or Newtonian(),
+    )
     return solve_problem(problem, accuracy=accuracy, method=method, progress=progress)
 
 

@@ -12,12 +12,14 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.elasticity import HalfSpace, half_space, rim_slice
+from softlube.dry import dry_contact, smeared_contact
+from softlube.elasticity import ElasticOperator, elastic_operator, rim_slice
 from softlube.grid import PolarGrid
-from softlube.limits import HERTZ_LOAD, far_field_profile, hertz_pressure, kapitza_pressure
+from softlube.limits import HERTZ_LOAD, far_field_profile, kapitza_pressure
 from softlube.preconditioner import Border, FilmEquation, local_stiffness
 from softlube.problem import Problem
 from softlube.reynolds import ReynoldsOperator, Sparse
+from softlube.substrates import Substrate
 
 Array = NDArray[np.floating]
 Mask = NDArray[np.bool_]
@@ -27,9 +29,9 @@ FILM_KEPT = 0.5
 
 
 @lru_cache(maxsize=8)
-def _operators(grid: PolarGrid, cavitation: str) -> tuple[HalfSpace, ReynoldsOperator, Sparse]:
-    substrate = half_space(grid, cavitation)
-    return substrate, ReynoldsOperator.on(grid), local_stiffness(grid, substrate)
+def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> tuple[ElasticOperator, ReynoldsOperator, Sparse]:
+    elastic = elastic_operator(grid, cavitation, substrate.ring_kernels)
+    return elastic, ReynoldsOperator.on(grid), local_stiffness(grid, elastic)
 
 
 def forget_operators() -> None:
@@ -42,7 +44,7 @@ class ContactSystem:
 
     They keep their form whatever height the lengths are normalised with.  So the unit is chosen to suit the grid: the
     problem's own (|h₀|, or the Hertz indentation of the load) times `scale`, which makes β scale² times the problem's, and
-    the load 4/(3π) scale^(−3/2) where it is prescribed.
+    the load 4/(3π) scale^(−3/2) where it is prescribed; substrate and fluid come along.
 
     Parameters
     ----------
@@ -59,7 +61,9 @@ class ContactSystem:
         self.beta = problem.parameter * scale**2
         self.speed = 1 / self.beta
         self.prescribed = HERTZ_LOAD * scale**-1.5 if problem.load_controlled else problem.height / scale
-        self.substrate, self.reynolds, self.stiffness = _operators(grid, problem.cavitation)
+        # Lengths scale with the root of the unit, and so do pressures.
+        self.material, self.fluid = problem.substrate.in_units(scale), problem.fluid.in_units(scale)
+        self.substrate, self.reynolds, self.stiffness = _operators(grid, problem.cavitation, self.material)
         self.self_deflection = 1 / np.abs(self.stiffness.diagonal())
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.constrained = np.zeros(n + load_controlled, dtype=bool)
@@ -111,12 +115,12 @@ class ContactSystem:
 
         Notes
         -----
-        Hertz contacts of radii spread over the boundary layer, under which the film is positive everywhere.  The superposition
-        is smooth at the scale β^(−2/5) of the layer, and its strength lifts the film at the centre to β^(−3/5), as in the Hertz
-        limit.  Far outside the far field is added, so that the free boundary starts where it ends.  High over the surface,
-        h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
+        Dry contacts of radii spread over the boundary layer, under which the film is positive everywhere.  The superposition
+        is smooth at the scale β^(−2/5) of the layer, and so much deeper that the film at the centre is β^(−3/5), as in the
+        Hertz limit.  Far outside the far field is added, so that the free boundary starts where it ends.  High over the
+        surface, h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
         """
-        height = -1.0 if height is None else height
+        height = -dry_contact(self.material).indentation if height is None else height
         if not self.problem.load_controlled:
             height = self.prescribed
         r = self.grid.r[: self.grid.n_r, None]
@@ -124,11 +128,10 @@ class ContactSystem:
         if height > 1:
             pressure = kapitza_pressure(r, 0.0, self.beta, height) * profile / 0.8
         else:
-            beta = max(self.beta, 1.0)
+            dry = dry_contact(self.material)
+            beta = max(dry.like_hertz(self.beta), 1.0)
             layer = min(0.5, 1.5 * beta**-0.4)
-            radius = 1 + layer * np.cos(np.pi * (np.arange(200) + 0.5) / 200)
-            strength = (1 + beta**-0.6) / np.mean(radius**2)
-            contact = hertz_pressure(r, radius).mean(axis=1, keepdims=True) * strength
+            contact = smeared_contact(self.material, dry.indentation + dry.edge * beta**-0.6, layer)(r)
             pressure = contact + self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
         return np.append(pressure.ravel(), height) if self.problem.load_controlled else pressure.ravel()
 
@@ -149,13 +152,13 @@ class LinearisedContact:
     def residual(self) -> Array:
         """Reynolds residual at the unknown nodes, then the load's defect under load control."""
         system = self.system
-        reynolds = system.reynolds.residual(system.pressure(self.x), self.film, system.speed)
+        reynolds = system.reynolds.residual(system.pressure(self.x), self.film, system.speed, system.fluid)
         return np.append(reynolds, system.load(self.x) - system.prescribed) if system.problem.load_controlled else reynolds
 
     @cached_property
     def _derivatives(self) -> tuple[Sparse, Sparse]:
         system = self.system
-        return system.reynolds.derivatives(system.pressure(self.x), self.film, system.speed)
+        return system.reynolds.derivatives(system.pressure(self.x), self.film, system.speed, system.fluid)
 
     @cached_property
     def _within(self) -> tuple[Sparse, Sparse]:

@@ -6,6 +6,7 @@ import pytest
 
 import softlube
 from softlube.sweeps.plan import make_plan, read_plan
+from softlube.sweeps.work import content_key
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
 TOML = """
@@ -150,3 +151,15 @@ def test_ranges_end_where_they_should():
     values = speeds(make_plan(BALL | {"speed": {"from": 3e-5, "to": 7e-4, "count": 7}}))
     assert (values[0], values[-1]) == (3e-5, 7e-4)
     assert math.log(values[1] / values[0]) == pytest.approx(math.log(values[6] / values[5]))
+
+
+def test_layers_and_oils_are_parameters_like_any_other():
+    plan = make_plan(
+        BALL
+        | {"thickness": ["1 mm", "2 mm"], "base": ["bonded", "frictionless"], "poisson_ratio": 0.45, "pressure_viscosity": 2e-8}
+    )
+    assert len(plan.cases) == 4
+    assert len({content_key(case.problem, 1e-3) for case in plan.cases}) == 4
+    assert plan.cases[0].contact == softlube.Contact(
+        **BALL, thickness="1 mm", poisson_ratio=0.45, base="bonded", pressure_viscosity="20 GPa^-1"
+    )

@@ -31,7 +31,7 @@ class Which:
     radius
         Radius of the sphere, such as "2 mm".
     young_modulus
-        Young's modulus of the substrate (incompressible), such as "3 MPa".
+        Young's modulus of the substrate, such as "3 MPa".
     shear_modulus
         Shear modulus instead, such as "1 MPa".
     viscosity
@@ -42,6 +42,16 @@ class Which:
         Normal load, such as "100 mN".
     indentation
         Depth of the sphere's lowest point below the undeformed surface instead, such as "50 um".
+    thickness
+        Thickness of the substrate, a layer on a rigid base, such as "2 mm" [default: a half-space].
+    poisson_ratio
+        Poisson's ratio of the substrate, 0 to 0.5 [default: 0.5].
+    base
+        How a layer lies on its base, "bonded" or "frictionless" [default: bonded].
+    pressure_viscosity
+        Pressure-viscosity coefficient, such as "20 GPa^-1" [default: constant viscosity].
+    viscosity_law
+        "barus" or "roelands" [default: barus].
     cavitation
         "reynolds" (no negative pressure) or "none".
     """
@@ -55,6 +65,11 @@ class Which:
     speed: Physical = None
     load: Physical = None
     indentation: Physical = None
+    thickness: Physical = None
+    poisson_ratio: Physical = None
+    base: Physical = None
+    pressure_viscosity: Physical = None
+    viscosity_law: Physical = None
     cavitation: Annotated[str | None, Parameter(group=GIVEN)] = None
 
     def get(self, progress: Callable[[str], None] | None = None) -> Solution:
@@ -67,8 +82,8 @@ class Which:
         """
         from softlube.errors import InputError
 
-        names = ("radius", "young_modulus", "shear_modulus", "viscosity", "speed", "load", "indentation")
-        physical = {name: getattr(self, name) for name in names if getattr(self, name) is not None}
+        others = ("solution", "beta", "cavitation")
+        physical = {name: value for name, value in vars(self).items() if value is not None and name not in others}
         ways = [name for name in ("solution", "beta") if getattr(self, name) is not None] + list(physical)[:1]
         if not ways:
             raise InputError("solution: missing; give --solution, --beta, or a physical contact (--radius, …); see --help")

@@ -10,6 +10,7 @@ from itertools import pairwise
 
 from softlube.errors import InputError
 from softlube.fields import Fields
+from softlube.fluids import Newtonian
 from softlube.limits import HERTZ_LOAD
 from softlube.paper.cartesian import CartesianMesh, CartesianScheme, Elasticity
 from softlube.paper.mesh import PaperMesh
@@ -18,6 +19,7 @@ from softlube.paper.relaxation import FIRST_BETA, REYNOLDS_FLOORS, SOMMERFELD_FL
 from softlube.problem import Cavitation, Problem
 from softlube.quantities import measure
 from softlube.solution import Level, Quantity, Solution
+from softlube.substrates import HalfSpace
 
 Progress = Callable[[str], None] | None
 
@@ -166,6 +168,8 @@ def _sizes(n_1: int, n_2: int, mesh_error: bool) -> list[tuple[int, int]]:
 
 
 def _checked_beta(problem: Problem) -> float:
+    if (problem.substrate, problem.fluid) != (HalfSpace(), Newtonian()):
+        raise InputError("method: the paper's methods know the half-space and constant viscosity only; leave it out")
     if problem.beta is None:
         raise InputError("beta_load: the paper's method fixes the sphere's height and cannot prescribe the load; give beta")
     if not FIRST_BETA <= problem.beta <= LARGEST_BETA:

@@ -21,7 +21,7 @@ from softlube.tables import read_table
 
 COMBINATIONS = ("product", "zip")
 DIMENSIONLESS = ("beta", "beta_load")
-TEXT = ("cavitation",)
+TEXT = ("cavitation", "base", "viscosity_law")
 NOT_OF_A_CASE = ("friction", "entrainment_speed")
 """Physical quantities that describe no contact to be solved."""
 PARAMETERS = (*(name for name in KINDS if name not in NOT_OF_A_CASE), *DIMENSIONLESS, *TEXT)

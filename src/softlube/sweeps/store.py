@@ -138,13 +138,11 @@ class Store:
 
     def save(self, key: str, problem: Problem, accuracy: float, solver: str, outcome: Outcome) -> None:
         """Keep an outcome and end the claim, in one transaction.  A failure never takes the place of a solution."""
-        from dataclasses import asdict
-
         status = "failed" if outcome.failed else "done"
         finished = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())
         values = (
             key,
-            json.dumps(asdict(problem)),
+            json.dumps(problem.to_plain()),
             accuracy,
             solver,
             status,

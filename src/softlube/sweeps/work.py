@@ -6,7 +6,7 @@ import ast
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -52,7 +52,7 @@ def _sources(start: str) -> dict[str, bytes]:
 
 def content_key(problem: Problem, accuracy: float) -> str:
     """Digest of all that determines a solution: problem, accuracy and solver."""
-    content = {"problem": asdict(problem), "accuracy": accuracy, "solver": solver_version()}
+    content = {"problem": problem.to_plain(), "accuracy": accuracy, "solver": solver_version()}
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
 
 

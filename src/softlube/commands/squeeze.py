@@ -1,0 +1,237 @@
+"""``softlube squeeze``: normal approach and separation.  Heavy imports live inside."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Group, Parameter
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from rich.table import Table
+
+    from softlube.approach.result import Squeeze
+    from softlube.solution import Quantity
+
+PHYSICAL = Group("Sphere, substrate, liquid (text with units, such as '2 mm')", sort_key=1)
+MOTION = Group("Motion (give one of load, approach speed, history)", sort_key=2)
+SLIDING = Group("Start of sliding (constant load only)", sort_key=3)
+OUTPUT = Group("Output", sort_key=4)
+Physical = Annotated[str | None, Parameter(group=PHYSICAL, allow_leading_hyphen=True)]
+Moved = Annotated[str | None, Parameter(group=MOTION, allow_leading_hyphen=True)]
+
+
+def squeeze(
+    *,
+    radius: Physical = None,
+    young_modulus: Physical = None,
+    shear_modulus: Physical = None,
+    viscosity: Physical = None,
+    density: Physical = None,
+    load: Moved = None,
+    approach_speed: Moved = None,
+    history: Moved = None,
+    initial_height: Moved = None,
+    duration: Moved = None,
+    film_limit: Moved = None,
+    speed: Annotated[str | None, Parameter(group=SLIDING, allow_leading_hyphen=True)] = None,
+    pressed: Annotated[str | None, Parameter(group=SLIDING)] = None,
+    cavitation: Annotated[str | None, Parameter(group=SLIDING)] = None,
+    accuracy: float | None = None,
+    output: Annotated[str | None, Parameter(group=OUTPUT)] = None,
+    plot: Annotated[str | None, Parameter(group=OUTPUT)] = None,
+    as_json: Annotated[bool, Parameter(name="--json", negative=(), group=OUTPUT)] = False,
+) -> int:
+    """Press a sphere through a liquid film onto a soft substrate, or pull it away, and follow the film.
+
+    Give --radius, --viscosity, one of --young-modulus and --shear-modulus, and one of --load, --approach-speed and --history.
+
+    Parameters
+    ----------
+    radius
+        Radius of the sphere, such as "2 mm".
+    young_modulus
+        Young's modulus of the substrate (incompressible), such as "3 MPa".
+    shear_modulus
+        Shear modulus instead, such as "1 MPa".
+    viscosity
+        Dynamic viscosity of the liquid, such as "2 Pa s".
+    density
+        Density of the liquid, for the warning of inertia [default: 1000 kg/m^3].
+    load
+        Constant load, such as "100 mN".
+    approach_speed
+        Constant speed of approach, such as "10 um/s"; negative for separation.
+    history
+        CSV file with columns headed "time, load" or "time, height"; units in brackets if not SI, as in "time [ms]".
+    initial_height
+        Height of the lowest point over the undeformed surface at the start, such as "100 um".
+    duration
+        How long to follow, such as "10 s".
+    film_limit
+        Minimum film at which to stop, such as the roughness, "20 nm".
+    speed
+        Speed of sliding from time 0 on, such as "1 mm/s".
+    pressed
+        How long the sphere is pressed before it slides, such as "1 s" [default: not at all].
+    cavitation
+        "reynolds" (no negative pressure) or "none"; without sliding negative pressures are always allowed.
+    accuracy
+        Relative error of the films aimed at, at every time [default: 1e-3; sliding: 2e-2].
+    output
+        NetCDF file for film, pressure and load against time.
+    plot
+        Picture of the profiles and histories (.png, .pdf or .svg).
+    as_json
+        Print one JSON object and nothing else.
+    """
+    import os
+    import time
+
+    # The matrices are small: threads would spend their time waiting for each other.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    from rich.console import Console
+
+    from softlube.errors import InputError
+    from softlube.files import check_destination
+
+    for option, path in (("output", output), ("plot", plot)):
+        if path is not None:
+            check_destination(option, path)
+    if plot is not None:
+        from softlube.plotting import check_format
+
+        check_format("plot", plot)
+        if output is not None and os.path.abspath(output) == os.path.abspath(plot):
+            raise InputError("output, plot: expected two different files")
+    sphere = {"radius": radius, "young_modulus": young_modulus, "shear_modulus": shear_modulus, "viscosity": viscosity}
+    if speed is not None:
+        for name, unwanted in (
+            ("approach_speed", approach_speed),
+            ("history", history),
+            ("film_limit", film_limit),
+            ("density", density),
+            ("plot", plot),
+        ):
+            if unwanted is not None:
+                raise InputError(
+                    f"speed, {name}: a start of sliding takes a constant load and no {name}; leave one of them out"
+                )
+        sliding = {"load": load, "speed": speed, "initial_height": initial_height, "duration": duration, "pressed": pressed}
+        return _slide(sphere | sliding, cavitation, accuracy, output, as_json)
+    for name, unwanted in (("pressed", pressed), ("cavitation", cavitation)):
+        if unwanted is not None:
+            raise InputError(f"{name}: only a start of sliding has it; give --speed or leave it out")
+    from softlube.approach.physical import squeeze as follow
+
+    began = time.perf_counter()
+    with Console(stderr=True, quiet=as_json).status("starting", spinner="dots") as status:
+        result = follow(
+            radius=radius,
+            young_modulus=young_modulus,
+            shear_modulus=shear_modulus,
+            viscosity=viscosity,
+            load=load,
+            approach_speed=approach_speed,
+            history=history,
+            initial_height=initial_height,
+            duration=duration,
+            film_limit=film_limit,
+            accuracy=1e-3 if accuracy is None else accuracy,
+            progress=status.update,
+            density=1000.0 if density is None else density,
+        )
+        if output is not None:
+            status.update("writing")
+            result.save(output)
+        if plot is not None:
+            status.update("drawing")
+            result.plot(plot)
+    if as_json:
+        import json
+
+        print(json.dumps(result.to_dict(), allow_nan=False), flush=True)
+        return 0
+    _report(result, time.perf_counter() - began, [path for path in (output, plot) if path is not None])
+    return 0
+
+
+def _slide(
+    given: dict[str, str | None], cavitation: str | None, accuracy: float | None, output: str | None, as_json: bool
+) -> int:
+    """The start of sliding."""
+    from rich.console import Console
+
+    from softlube.approach.start import slide
+
+    options = {name: value for name, value in given.items() if value is not None}
+    with Console(stderr=True, quiet=as_json).status("starting", spinner="dots") as status:
+        result = slide(
+            **options,
+            cavitation=cavitation or "reynolds",
+            accuracy=2e-2 if accuracy is None else accuracy,
+            progress=status.update,
+        )
+        if output is not None:
+            status.update("writing")
+            result.save(output)
+    if as_json:
+        import json
+
+        print(json.dumps(result.to_dict(), allow_nan=False), flush=True)
+        return 0
+    from softlube.approach.start import DESCRIPTION
+
+    console = Console(highlight=False, soft_wrap=True)
+    console.print(f"After {result.time[-1]:.6g} s of sliding:", markup=False)
+    console.print(_table(result.final, DESCRIPTION), soft_wrap=False)
+    console.print(f"{result.time.size} time steps on {result.angles[-1]} angles.", markup=False)
+    if output is not None:
+        console.print(f"Wrote {output}", markup=False)
+    return 0
+
+
+def _table(quantities: Mapping[str, Quantity], names: Mapping[str, str]) -> Table:
+    """Values with errors and units."""
+    from rich import box
+    from rich.table import Table
+
+    from softlube.cli import rounded
+    from softlube.plotting import _prefixed
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for column in ("quantity", "value", "± error", "unit"):
+        table.add_column(column, no_wrap=True, justify="right" if column == "value" else "left")
+    for name, quantity in quantities.items():
+        factor, unit = _prefixed(abs(float(quantity)), quantity.unit)
+        error = quantity.error * factor
+        text, doubt = rounded(float(quantity) * factor, error if error > 1e-9 * abs(float(quantity) * factor) else 0.0)
+        table.add_row(names[name], text, f"± {doubt}", unit)
+    return table
+
+
+def _report(result: Squeeze, seconds: float, written: list[str]) -> None:
+    from rich.console import Console
+
+    from softlube.approach.result import DESCRIPTION
+
+    console = Console(highlight=False, soft_wrap=True)
+    why = "the film reached its limit" if result.run.ended_by == "film_limit" else "the end of the motion"
+    doubt = f" ± {result.time_error * result.scale('time')[0]:.2g}" if result.time_error else ""
+    console.print(f"After {result.time[-1]:.6g}{doubt} s ({why}):", markup=False)
+    scale = 1e-3 * abs(float(result.final["pressure_center"]))
+    # The far field's pressure is next to nothing.
+    shown = {name: q for name, q in result.final.items() if name not in ("pressure_max", "pressure_min") or abs(q) > scale}
+    console.print(_table(shown, DESCRIPTION), soft_wrap=False)
+    if result.dimple_time == result.dimple_time:  # not nan
+        console.print(f"The film is thinnest off the axis (a dimple) after {result.dimple_time:.3g} s.", markup=False)
+    for doubt in result.warnings:
+        console.print(f"[bold yellow]Warning:[/] {doubt}.")
+    console.print(
+        f"{result.run.time.size} time steps on {result.rings[-1]} rings in {seconds:.1f} s; "
+        f"balance of volume to {result.run.volume_error:.0e}.",
+        markup=False,
+    )
+    for path in written:
+        console.print(f"Wrote {path}", markup=False)

@@ -1,0 +1,180 @@
+"""What lies between: a fluid is a law of its viscosity against the pressure.
+
+Laws are normalised: η over the viscosity η₀ at zero pressure, pressures with 4πG√(unit of height/R) (E* in place of 4G).  The
+Reynolds equation has the fluidity φ = η₀/η as a factor of u³∇p, and its derivative in the Jacobian; shear stresses have η/η₀
+as a factor of the Couette part.  A new law is a new class here; nothing else in the package knows its name.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass, replace
+from typing import Any, ClassVar, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlube.errors import InputError
+
+Array = NDArray[np.floating]
+
+ROELANDS_PRESSURE = 1.962e8
+"""Roelands' reference pressure [Pa], 1/(5.1e-9 Pa⁻¹)."""
+ROELANDS_VISCOSITY = 6.31e-5
+"""Viscosity [Pa s] that every Roelands fluid has at p = −`ROELANDS_PRESSURE`: ln η₀ + 9.67 = ln(η₀/6.31e-5)."""
+LARGEST_EXPONENT = 200.0
+"""Bound of |ln η/η₀|, so that a wild iterate of Newton's method raises no overflow."""
+
+
+class Fluid(Protocol):
+    """What the solver asks of a fluid."""
+
+    kind: ClassVar[str]
+
+    def in_units(self, unit: float) -> Fluid:
+        """The same with another unit of height, given over the present one; pressures scale with its root."""
+        ...
+
+    def viscosity(self, pressure: Array) -> Array:
+        """η(p)/η₀."""
+        ...
+
+    def fluidity(self, pressure: Array) -> tuple[Array, Array]:
+        """φ = η₀/η(p) and dφ/dp."""
+        ...
+
+
+@dataclass(frozen=True)
+class Newtonian:
+    """Constant viscosity, the paper's fluid."""
+
+    kind: ClassVar[str] = "newtonian"
+
+    def in_units(self, unit: float) -> Newtonian:
+        """Itself: it has no pressure."""
+        return self
+
+    def viscosity(self, pressure: Array) -> Array:
+        """1."""
+        return np.ones_like(pressure)
+
+    def fluidity(self, pressure: Array) -> tuple[Array, Array]:
+        """1 and 0."""
+        return np.ones_like(pressure), np.zeros_like(pressure)
+
+
+def _checked(name: str, value: float) -> None:
+    if not (math.isfinite(value) and value >= 0):
+        raise InputError(f"{name}: expected a finite number that is not negative, got {value!r}")
+
+
+@dataclass(frozen=True)
+class Barus:
+    """η = η₀ e^{αp} (Barus 1893).
+
+    Parameters
+    ----------
+    alpha : float
+        ᾱ = 4πGα√(unit of height/R) ≥ 0, the pressure-viscosity coefficient over the unit of 1/pressure.
+    """
+
+    alpha: float
+    kind: ClassVar[str] = "barus"
+
+    def __post_init__(self) -> None:
+        _checked("alpha", self.alpha)
+
+    def in_units(self, unit: float) -> Barus:
+        """The same fluid with another unit of height."""
+        return replace(self, alpha=self.alpha * math.sqrt(unit))
+
+    def viscosity(self, pressure: Array) -> Array:
+        """e^{αp}."""
+        return np.exp(np.clip(self.alpha * pressure, -LARGEST_EXPONENT, LARGEST_EXPONENT))
+
+    def fluidity(self, pressure: Array) -> tuple[Array, Array]:
+        """e^{−αp} and its derivative."""
+        value = np.exp(-np.clip(self.alpha * pressure, -LARGEST_EXPONENT, LARGEST_EXPONENT))
+        return value, -self.alpha * value
+
+
+@dataclass(frozen=True)
+class Roelands:
+    """η = η₀ exp{(αp₀/z)[(1 + p/p₀)^z − 1]} (Roelands 1966).
+
+    Parameters
+    ----------
+    alpha : float
+        ᾱ, the slope of ln η at zero pressure, as in `Barus`.
+    exponent : float
+        Roelands' z, 0 < z ≤ 1; αp₀/z = ln η₀ + 9.67 with η₀ in Pa s.
+    reference : float
+        p₀ = 0.1962 GPa over the unit of pressure.
+    """
+
+    alpha: float
+    exponent: float
+    reference: float
+    kind: ClassVar[str] = "roelands"
+
+    def __post_init__(self) -> None:
+        _checked("alpha", self.alpha)
+        if not 0 < self.exponent <= 1:
+            raise InputError(f"exponent: expected Roelands' z, a number between 0 and 1, got {self.exponent!r}")
+        if not (math.isfinite(self.reference) and self.reference > 0):
+            raise InputError(f"reference: expected a positive, finite pressure, got {self.reference!r}")
+
+    @classmethod
+    def of(cls, alpha: float, viscosity: float, pressure_unit: float) -> Roelands:
+        """From the coefficient α [1/Pa], the viscosity η₀ [Pa s] and the unit of pressure [Pa].
+
+        Raises
+        ------
+        InputError
+            If no exponent between 0 and 1 goes with them.
+        """
+        steepness = math.log(viscosity / ROELANDS_VISCOSITY)
+        exponent = alpha * ROELANDS_PRESSURE / steepness if steepness > 0 else math.inf
+        if not exponent <= 1:
+            raise InputError(
+                f"viscosity_law: Roelands' law has no exponent z between 0 and 1 for a viscosity of {viscosity:g} Pa s and a "
+                f"pressure-viscosity coefficient of {alpha:g} 1/Pa; use 'barus'"
+            )
+        return cls(alpha * pressure_unit, exponent, ROELANDS_PRESSURE / pressure_unit)
+
+    def in_units(self, unit: float) -> Roelands:
+        """The same fluid with another unit of height."""
+        return replace(self, alpha=self.alpha * math.sqrt(unit), reference=self.reference / math.sqrt(unit))
+
+    def _logarithm(self, pressure: Array) -> tuple[Array, Array]:
+        """Ln η/η₀ and its derivative."""
+        ratio = np.maximum(1 + pressure / self.reference, 1e-3)
+        power = ratio ** (self.exponent - 1)
+        value = self.alpha * self.reference / self.exponent * (power * ratio - 1)
+        return np.clip(value, -LARGEST_EXPONENT, LARGEST_EXPONENT), self.alpha * power
+
+    def viscosity(self, pressure: Array) -> Array:
+        """η/η₀."""
+        return np.exp(self._logarithm(pressure)[0])
+
+    def fluidity(self, pressure: Array) -> tuple[Array, Array]:
+        """η₀/η and its derivative."""
+        value, slope = self._logarithm(pressure)
+        fluidity = np.exp(-value)
+        return fluidity, -slope * fluidity
+
+
+KINDS = {cls.kind: cls for cls in (Newtonian, Barus, Roelands)}
+"""Every fluid by its name in files."""
+
+
+def to_plain(fluid: Fluid) -> dict[str, Any]:
+    """A fluid in plain values, for files."""
+    return {"kind": fluid.kind} | asdict(fluid)  # type: ignore[call-overload]
+
+
+def from_plain(values: dict[str, Any] | None) -> Fluid:
+    """Inverse of `to_plain`; constant viscosity where nothing was written."""
+    if not values:
+        return Newtonian()
+    return KINDS[values["kind"]](**{name: value for name, value in values.items() if name != "kind"})

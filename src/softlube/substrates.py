@@ -1,0 +1,215 @@
+"""What the sphere slides over: a substrate is the kernel that turns pressure into displacement.
+
+Everything below is normalised: lengths in the plane with √(R × unit of height), so that the half-space of effective modulus
+E* = 2G/(1 − ν) has the kernel 1/ρ, in Fourier space 2π/k, Eq. (6b) with 4G → E*.  Another substrate has 2πC(k)/k, and
+
+    ∫₀^∞ C(k) J₀(kρ) dk = 1/ρ + ∫₀^∞ (C(k) − 1) J₀(kρ) dk,
+
+a half-space and a smooth remainder.  A new substrate is a new class here; nothing else in the package knows its name.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass, replace
+from functools import lru_cache
+from typing import Any, ClassVar, Literal, Protocol, get_args
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+from scipy.fft import dct
+from scipy.interpolate import CubicSpline
+from scipy.special import j0
+
+from softlube.elasticity import ring_kernels
+from softlube.errors import InputError
+
+Array = NDArray[np.floating]
+Base = Literal["bonded", "frictionless"]
+
+LARGEST_WAVENUMBER = 22.0
+"""κ beyond which C(κ) − 1 ~ κ² e^(−2κ) is below round-off."""
+PANEL_POINTS, PANEL_PHASE = 16, 20.0
+"""Gauss quadrature over κ in panels: points on each, and radians that the fastest wave may turn on each."""
+SCREENED = 40.0
+"""Distance, over the thickness, beyond which the layer's kernel is zero to round-off: the nearest pole of C has Im κ > 1."""
+TABLE_STEP = 0.02
+"""Spacing of the table of the remainder, over the thickness; the cubic spline through it is good to 10⁻⁹."""
+EVEN: Any = ((1, 0.0), "not-a-knot")
+"""Ends of a spline that is even about the first."""
+ROUND = 24.0
+"""Points on the half-circle times the width η of the remainder: harmonics fall like e^(−mη), e^(−24) is left out."""
+LARGEST_BATCH = 2_000_000
+"""Values of the remainder held at a time."""
+
+
+class Substrate(Protocol):
+    """What the solver asks of a substrate."""
+
+    kind: ClassVar[str]
+
+    def in_units(self, unit: float) -> Substrate:
+        """The same with another unit of height, given over the present one; lengths scale with its root."""
+        ...
+
+    def ring_kernels(self, n_modes: int, r: Array, r_source: Array) -> Array:
+        """Harmonics of the kernel, k_m(r, r′) = ∫₀^{2π} cos mφ G(|x − x′|) dφ; see `softlube.elasticity.ring_kernels`."""
+        ...
+
+    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
+        """Wavenumbers k and weights (C(k) − 1) dk of a quadrature of the remainder, good for waves seen as far as `reach`."""
+        ...
+
+
+@dataclass(frozen=True)
+class HalfSpace:
+    """The elastic half-space, the paper's substrate.  Its Poisson ratio acts through the effective modulus alone."""
+
+    kind: ClassVar[str] = "half-space"
+
+    def in_units(self, unit: float) -> HalfSpace:
+        """Itself: it has no length."""
+        return self
+
+    def ring_kernels(self, n_modes: int, r: Array, r_source: Array) -> Array:
+        """Potentials of rings, `softlube.elasticity.ring_kernels`."""
+        return ring_kernels(n_modes, r, r_source)
+
+    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
+        """Nothing: C = 1."""
+        return np.empty(0), np.empty(0)
+
+
+@dataclass(frozen=True)
+class Layer:
+    """An elastic layer on a rigid base.
+
+    Parameters
+    ----------
+    thickness : float
+        t over √(R × unit of height).
+    poisson_ratio : float
+        0 ≤ ν ≤ 1/2.
+    base : {"bonded", "frictionless"}
+        How it lies on the base.  Without friction ν acts through the effective modulus alone.
+
+    Raises
+    ------
+    InputError
+        If an input is not as described.
+
+    Notes
+    -----
+    With κ = kt (Hannah 1951 for the frictionless base; Meijers 1968, Johnson 1985 §5.8, Persson 2001 for the bonded one):
+
+    - bonded: C = [(3 − 4ν) sinh 2κ − 2κ]/[(3 − 4ν) cosh 2κ + 2κ² + 5 − 12ν + 8ν²];
+    - frictionless: C = (cosh 2κ − 1)/(sinh 2κ + 2κ).
+
+    Long waves: C → κ (1 − 2ν)/(2(1 − ν)²) bonded and compressible, 2κ³/3 bonded and incompressible, κ/2 frictionless.
+    """
+
+    thickness: float
+    poisson_ratio: float = 0.5
+    base: Base = "bonded"
+    kind: ClassVar[str] = "layer"
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.thickness) and self.thickness > 0):
+            raise InputError(f"thickness: expected a positive, finite number, got {self.thickness!r}")
+        check_poisson_ratio(self.poisson_ratio)
+        if self.base not in get_args(Base):
+            raise InputError(f"base: expected 'bonded' or 'frictionless', got {self.base!r}")
+
+    def in_units(self, unit: float) -> Layer:
+        """The same layer with another unit of height, given over the present one."""
+        return replace(self, thickness=self.thickness / math.sqrt(unit))
+
+    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
+        """Wavenumbers k and weights (C(k) − 1) dk."""
+        panels = math.ceil(LARGEST_WAVENUMBER * max(SCREENED, reach / self.thickness) / PANEL_PHASE)
+        kappa, weight = _spectrum(self.poisson_ratio, self.base, panels)
+        return kappa / self.thickness, weight / self.thickness
+
+    def ring_kernels(self, n_modes: int, r: Array, r_source: Array) -> Array:
+        """Potentials of rings plus the harmonics of the remainder.
+
+        The remainder is analytic up to a distance of 2t off the real plane, so the midpoint rule on the half-circle converges
+        geometrically: its harmonics fall like e^(−mη), cosh η = 1 + [(r − r′)² + 4t²]/(2rr′).
+        """
+        result = ring_kernels(n_modes, r, r_source)
+        whole = result.reshape(n_modes, -1)  # a view
+        inner, outer = (np.ascontiguousarray(a).ravel() for a in np.broadcast_arrays(r, r_source))
+        difference, product = (inner - outer) ** 2, inner * outer
+        excess = (difference + 4 * self.thickness**2) / (2 * product)
+        eta = np.log1p(excess + np.sqrt(excess * (2 + excess)))
+        octave = np.ceil(np.log2(np.maximum(ROUND / eta, 8))).astype(int)
+        for number in np.unique(octave):
+            n = 2 ** int(number)
+            # ρ² = (r − r′)² + 4rr′ sin²(φ/2)
+            chord = 4 * np.sin((np.arange(n) + 0.5) * np.pi / (2 * n)) ** 2
+            own = np.flatnonzero(octave == number)
+            kept = min(n, n_modes)
+            for some in np.array_split(own, max(1, own.size * n // LARGEST_BATCH)):
+                distance = np.sqrt(difference[some, None] + product[some, None] * chord)
+                harmonics = dct(self._remainder(distance), type=2, axis=1, overwrite_x=True)
+                whole[:kept, some] += (np.pi / n) * harmonics[:, :kept].T
+        return result
+
+    def _remainder(self, distance: Array) -> Array:
+        """∫₀^∞ (C − 1) J₀(kρ) dk."""
+        s = distance / self.thickness
+        value = -1 / np.maximum(s, SCREENED)
+        near = s < SCREENED
+        value[near] = _remainder_table(self.poisson_ratio, self.base)(s[near])
+        value /= self.thickness
+        return value
+
+
+def check_poisson_ratio(value: float) -> None:
+    """Refuse a Poisson ratio outside 0 … 1/2."""
+    if not (math.isfinite(value) and 0 <= value <= 0.5):
+        raise InputError(f"poisson_ratio: expected a number between 0 and 0.5, got {value!r}")
+
+
+def compliance_defect(kappa: Array, poisson_ratio: float = 0.5, base: Base = "bonded") -> Array:
+    """C(κ) − 1 of a layer, see `Layer`, without overflow and without cancellation at large κ > 0."""
+    decay = np.exp(-2 * kappa)
+    if base == "frictionless":
+        return decay * (decay - 1 - 2 * kappa) / ((1 - decay**2) / 2 + 2 * kappa * decay)
+    a, b = 3 - 4 * poisson_ratio, 5 - 12 * poisson_ratio + 8 * poisson_ratio**2
+    below = a * (1 + decay**2) / 2 + (2 * kappa**2 + b) * decay
+    return -decay * (a * decay + 2 * kappa * (1 + kappa) + b) / below
+
+
+@lru_cache(maxsize=16)
+def _spectrum(poisson_ratio: float, base: Base, panels: int) -> tuple[Array, Array]:
+    """κ and (C − 1) dκ of composite Gauss quadrature."""
+    x, weight = leggauss(PANEL_POINTS)
+    width = LARGEST_WAVENUMBER / panels
+    kappa = (width * (np.arange(panels)[:, None] + (x + 1) / 2)).ravel()
+    return kappa, np.tile(width * weight / 2, panels) * compliance_defect(kappa, poisson_ratio, base)
+
+
+@lru_cache(maxsize=16)
+def _remainder_table(poisson_ratio: float, base: Base) -> CubicSpline:
+    """The remainder of a layer of unit thickness against distance, even in it."""
+    kappa, weight = Layer(1.0, poisson_ratio, base).spectrum()
+    s = np.arange(0, SCREENED + 2 * TABLE_STEP, TABLE_STEP)
+    return CubicSpline(s, j0(np.outer(s, kappa)) @ weight, bc_type=EVEN)
+
+
+KINDS = {cls.kind: cls for cls in (HalfSpace, Layer)}
+"""Every substrate by its name in files."""
+
+
+def to_plain(substrate: Substrate) -> dict[str, Any]:
+    """A substrate in plain values, for files."""
+    return {"kind": substrate.kind} | asdict(substrate)  # type: ignore[call-overload]
+
+
+def from_plain(values: dict[str, Any] | None) -> Substrate:
+    """Inverse of `to_plain`; a half-space where nothing was written."""
+    if not values:
+        return HalfSpace()
+    return KINDS[values["kind"]](**{name: value for name, value in values.items() if name != "kind"})

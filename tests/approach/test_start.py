@@ -1,0 +1,89 @@
+"""The start of sliding in SI: ends where `Contact.solve` is, errors, files, refusals."""
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import softlube
+from softlube.approach.start import DESCRIPTION, slide
+from softlube.cli import main
+from softlube.errors import InputError
+
+BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "load": "100 mN", "speed": "20 mm/s"}
+START = BALL | {"initial_height": "100 um", "duration": "0.2 s", "accuracy": 0.05}
+OPTIONS = [part for name, value in BALL.items() for part in ("--" + name.replace("_", "-"), value)]
+
+
+@pytest.fixture(scope="module")
+def started():
+    return slide(**START)
+
+
+def test_ends_in_steady_sliding(started):
+    steady = softlube.Contact(**BALL).solve().dimensional
+    for name in ("film_center", "film_min", "friction_domain", "pressure_max"):
+        assert started.final[name] == pytest.approx(float(steady[name]), rel=5e-3), name
+        assert started.final[name].unit == steady[name].unit
+    assert -started.final["height"] == pytest.approx(float(steady["indentation"]), rel=1e-3)
+
+
+def test_histories_and_errors(started):
+    assert started.time[0] == 0
+    assert started.time[-1] == pytest.approx(0.2)
+    assert started.histories["height"][0] == pytest.approx(100e-6)
+    assert started.histories["load"][1:] == pytest.approx(0.1)
+    assert np.max(started.errors["film_min"] / started.histories["film_min"]) <= 0.05
+
+
+def test_file(started, tmp_path):
+    started.save(tmp_path / "a.nc")
+    with xr.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
+        assert data.film.dims == ("time", "r", "theta")
+        assert set(DESCRIPTION) <= set(data.data_vars)
+        assert float(data.film[-1].min()) == pytest.approx(float(started.final["film_min"]), rel=2e-2)
+    assert json.dumps(started.to_dict(), allow_nan=False)
+
+
+def test_command(capsys, tmp_path):
+    path = tmp_path / "a.nc"
+    arguments = ["squeeze", *OPTIONS, "--initial-height", "100 um", "--duration", "5 ms", "--accuracy", "0.1"]
+    assert main([*arguments, "--output", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert "minimum film" in out
+    assert "friction" in out
+    assert "…" not in out
+    assert path.exists()
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        ({"load": None}, "load: missing"),
+        ({"load": lambda t: 1.0}, "constant load"),
+        ({"duration": None}, "duration: missing"),
+        ({"initial_height": "0 m"}, "initial_height"),
+        ({"pressed": "-1 s"}, "duration, pressed"),
+        ({"accuracy": 1e-6}, "accuracy"),
+        ({"speed": "-1 m/s"}, "speed"),
+    ],
+)
+def test_refused(change, text):
+    with pytest.raises(InputError, match=text):
+        slide(**START | change)
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        (["--speed", "1 mm/s", "--history", "h.csv"], "--speed, --history"),
+        (["--speed", "1 mm/s", "--plot", "h.png"], "--speed, --plot"),
+        (["--pressed", "1 s"], "--pressed"),
+        (["--cavitation", "none"], "--cavitation"),
+    ],
+)
+def test_bad_combinations_on_the_command_line(capsys, options, text):
+    base = [part for part in OPTIONS if part not in ("--speed", "20 mm/s")]
+    assert main(["squeeze", *base, "--initial-height", "100 um", "--duration", "1 s", *options]) == 2
+    assert text in capsys.readouterr().err

@@ -1,0 +1,80 @@
+"""Dry contacts against Hertz, Dimitriadis et al., the thin limits, and the lubricated contact at large β."""
+
+import numpy as np
+import pytest
+
+import softlube
+from softlube.dry import dry_contact, dry_contact_at, smeared_contact
+from softlube.limits import HERTZ_LOAD, HERTZ_PRESSURE, hertz_pressure
+from softlube.substrates import HalfSpace, Layer
+
+
+def test_half_space_is_hertz():
+    contact = dry_contact(HalfSpace(), 1.5)
+    assert contact.indentation == pytest.approx(1.5**2, rel=1e-14)
+    assert contact.load == pytest.approx(HERTZ_LOAD * 1.5**3, rel=1e-13)
+    assert contact.edge == 1.0
+    r = np.array([0.0, 0.7, 1.4, 1.6])
+    assert contact.pressure(r) == pytest.approx(hertz_pressure(r, 1.5), rel=1e-6, abs=1e-8)
+    assert contact.like_hertz(10.0) == pytest.approx(10.0 * 1.5**4)
+
+
+@pytest.mark.parametrize("chi", [0.05, 0.1, 0.2, 1 / 3, 0.5, 1.0])
+def test_bonded_incompressible_layer_against_dimitriadis(chi):
+    """Dimitriadis et al., Biophys. J. 82 (2002) 2798: load over Hertz's at the same indentation, χ = √(Rδ)/t.
+
+    Their constants of the first order are a fit, 0.5 % off (−1.7795 for −1.77022), and their second order leaves out a part
+    of it: the difference grows like χ².
+    """
+    series = 1 + 1.133 * chi + 1.283 * chi**2 + 0.769 * chi**3 + 0.0975 * chi**4
+    ours = dry_contact_at(Layer(1 / chi), indentation=1.0).load / HERTZ_LOAD
+    assert ours == pytest.approx(series, rel=max(2e-3, 0.35 * chi**2))
+    assert ours > (1 - 2e-3) * series
+
+
+def test_first_order_of_a_thick_layer():
+    """δ = a² (1 + (4/3π) α₀ a/t) at a given radius and load/Hertz = 1 − (2/π) α₀ χ, with α₀ = ∫(C − 1)dκ."""
+    for layer in (Layer(1e3), Layer(1e3, 0.2), Layer(1e3, 0.5, "frictionless")):
+        alpha = layer.spectrum()[1].sum() * layer.thickness
+        ours = dry_contact_at(layer, indentation=1.0).load / HERTZ_LOAD
+        assert ours == pytest.approx(1 - 2 / np.pi * alpha / layer.thickness, abs=5e-6)
+    assert Layer(1.0, 0.5, "frictionless").spectrum()[1].sum() == pytest.approx(-1.16758, abs=1e-5)
+
+
+def test_thin_compressible_layer_is_a_winkler_foundation():
+    """Pressure δ(1 − r²/a²)/K with a² = 2δ and C = Kk/(2π): load πδ²/K."""
+    for layer in (Layer(0.02, 0.3), Layer(0.02, 0.5, "frictionless")):
+        slope = 0.5 if layer.base == "frictionless" else (1 - 0.6) / (2 * 0.7**2)
+        modulus = 2 * np.pi * slope * layer.thickness
+        contact = dry_contact_at(layer, indentation=1.0)
+        assert contact.radius == pytest.approx(np.sqrt(2), rel=0.02)
+        assert contact.load == pytest.approx(np.pi / modulus, rel=0.05)
+
+
+def test_thin_incompressible_layer():
+    """With C = 2κ³/3: (4π/3)t³ ∇²p = −(1 − r²/2), p and its slope zero at the edge: a² = 4δ and load 1/(2t³)."""
+    thin, thinner = (dry_contact_at(Layer(t), indentation=1.0) for t in (0.05, 0.025))
+    assert thinner.radius == pytest.approx(2.0, rel=0.03)
+    # p = (3/(4π t³)) (a² − r²)²/32 at a² = 4
+    assert thinner.load == pytest.approx(0.5 / 0.025**3, rel=0.15)
+    assert thinner.load / thin.load == pytest.approx(8, rel=0.1)
+
+
+def test_lubricated_layer_at_large_beta_carries_the_dry_load():
+    layer = Layer(1.0)
+    dry = dry_contact_at(layer, indentation=1.0)
+    loads = [float(softlube.solve(beta=beta, substrate=layer).load) for beta in (1e4, 1e5)]
+    excess = [load / dry.load - 1 for load in loads]
+    assert 0 < excess[1] < 0.01
+    assert excess[0] / excess[1] == pytest.approx(10**0.6, rel=0.15)  # β^(−3/5), as on the half-space
+
+
+def test_smeared_contact_is_smooth_and_as_deep_as_asked():
+    pressure = smeared_contact(HalfSpace(), 1.0, 0.1)
+    assert pressure(0.0) == pytest.approx(HERTZ_PRESSURE, rel=0.01)
+    assert pressure(1.2) == 0
+
+
+def test_unique_input():
+    with pytest.raises(ValueError, match="exactly one"):
+        dry_contact_at(HalfSpace())

@@ -1,0 +1,159 @@
+"""Layers against elasticity itself, quadrature, and the limits of thick and thin."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.special import j0, jv
+
+import softlube
+from softlube.elasticity import elastic_operator, ring_kernels
+from softlube.grid import PolarGrid
+from softlube.problem import Problem
+from softlube.solver import grid_for, solve_level
+from softlube.substrates import HalfSpace, Layer, compliance_defect, from_plain, to_plain
+
+
+def compliance_by_elasticity(kappa, nu, base):
+    """C from Navier's equations in plane strain, p = cos kx on a layer of unit thickness and G = 1.
+
+    Papkovich-Neuber-like solutions u = U(z) sin kx, w = W(z) cos kx with four unknown constants; z from the base upwards.
+    """
+    k, a = kappa, 3 - 4 * nu
+
+    def columns(z):
+        """U, W, σ_zz and τ_xz of the four solutions at height z; solutions e^{±kz} and z e^{±kz} of Navier's equations."""
+        result = []
+        for sign in (1, -1):
+            e = np.exp(sign * k * z)
+            # curl-free and divergence-free: U = −k e, W = sign k e
+            result.append((-k * e, sign * k * e, 2 * k**2 * e, -2 * sign * k**2 * e))
+            # U = −sign k z e, W = (k z − sign a) e, by substitution
+            u, w = -sign * k * z * e, (k * z - sign * a) * e
+            du, dw = -sign * k * e - k**2 * z * e, k * e + sign * k * (k * z - sign * a) * e
+            dilatation = k * u + dw
+            result.append((u, w, 2 * nu / (1 - 2 * nu) * dilatation + 2 * dw, du - k * w))
+        return np.array(result).T
+
+    bottom, top = columns(0.0), columns(1.0)
+    held = bottom[0] if base == "bonded" else bottom[3]
+    constants = np.linalg.solve(np.array([held, bottom[1], top[2], top[3]]), [0, 0, -1.0, 0])
+    return -(top[1] @ constants) * k / (1 - nu)
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.49])
+@pytest.mark.parametrize("base", ["bonded", "frictionless"])
+def test_compliance_against_elasticity(nu, base):
+    for kappa in (0.1, 0.7, 2.0, 6.0):
+        expected = compliance_by_elasticity(kappa, nu, base)
+        assert 1 + compliance_defect(np.array(kappa), nu, base) == pytest.approx(expected, rel=1e-9)
+
+
+def test_long_waves():
+    """A thin layer is a Winkler foundation, or if it is bonded and incompressible the lubrication flow under a skin."""
+    kappa = np.array(1e-3)
+    for nu in (0.0, 0.3):
+        assert 1 + compliance_defect(kappa, nu) == pytest.approx(kappa * (1 - 2 * nu) / (2 * (1 - nu) ** 2), rel=1e-5)
+    assert 1 + compliance_defect(np.array(1e-2)) == pytest.approx(2e-6 / 3, rel=1e-3)
+    assert 1 + compliance_defect(kappa, 0.5, "frictionless") == pytest.approx(kappa / 2, rel=1e-5)
+
+
+@pytest.mark.parametrize(("r", "source"), [(1.0, 1.01), (0.3, 0.5), (2.0, 0.02), (6.0, 5.0)])
+@pytest.mark.parametrize("layer", [Layer(1.0), Layer(0.2, 0.3), Layer(3.0, 0.5, "frictionless")])
+def test_kernel_against_the_hankel_transform(layer, r, source):
+    r, source = np.array(r), np.array(source)
+    difference = layer.ring_kernels(12, r, source) - ring_kernels(12, r, source)
+    k, weight = layer.spectrum()
+    for m in (0, 1, 2, 7, 11):
+        expected = 2 * np.pi * np.sum(weight * jv(m, k * r) * jv(m, k * source))
+        assert difference[m] == pytest.approx(expected, abs=2e-8 / layer.thickness)
+
+
+@pytest.mark.parametrize("layer", [Layer(0.7), Layer(0.4, 0.3), Layer(0.5, 0.0, "frictionless")])
+def test_displacement_under_a_gaussian(layer):
+    """Against w = −2π∫ C p̃ J₀(kr) dk with p̃ = e^(−k²/4)/2."""
+    grid = PolarGrid(54, 8, layer=0.3)
+    pressure = np.exp(-(np.repeat(grid.r, 9) ** 2))
+    ours = elastic_operator(grid, "none", layer.ring_kernels).deflection(pressure).reshape(grid.shape)[:, 0]
+    for i in range(0, 40, 5):
+
+        def wave(k, r=grid.r[i]):
+            defect = compliance_defect(np.array(k * layer.thickness), layer.poisson_ratio, layer.base)
+            return np.pi * (1 + defect) * np.exp(-(k**2) / 4) * j0(k * r)
+
+        assert ours[i] == pytest.approx(quad(wave, 1e-9, 15, limit=400)[0], abs=3e-5)
+
+
+def test_an_incompressible_layer_keeps_its_volume():
+    """C ~ k³: a load far from the edge neither sinks nor lifts the layer as a whole, ∫ w dA = 0."""
+    grid = PolarGrid(60, 8, layer=0.3)
+    pressure = np.exp(-(np.repeat(grid.r, 9) ** 2))
+    operator = elastic_operator(grid, "none", Layer(0.5).ring_kernels)
+    sunk = operator.deflection(pressure)
+    assert abs(operator.load_weights @ sunk) < 2e-4 * operator.load_weights @ np.abs(sunk)
+
+
+def test_a_very_thick_layer_is_the_half_space():
+    problem, thickness = Problem(beta=200.0), 1e5
+    grid = grid_for(problem, 18)
+    half_space = solve_level(problem, grid, None).level.values
+    layer = solve_level(Problem(beta=200.0, substrate=Layer(thickness)), grid, None).level.values
+    for name, value in half_space.items():
+        # a/t of the first order, and no more
+        assert layer[name] == pytest.approx(value, rel=3e-4 if name == "shear_rate_max" else 1e-4, abs=1e-5), name
+
+
+@pytest.mark.parametrize("substrate", [Layer(0.5), Layer(1.0, 0.3), Layer(3.0, 0.5, "frictionless")])
+def test_errors_cover_the_change_on_a_finer_grid(substrate):
+    coarse = softlube.solve(beta=100, substrate=substrate, accuracy=1e-2)
+    fine = softlube.solve(beta=100, substrate=substrate, accuracy=2e-3)
+    assert fine.levels[-1].n_theta > coarse.levels[-1].n_theta
+    missed = [
+        name
+        for name, value in coarse.quantities.items()
+        if abs(value - fine.quantities[name]) > value.error + fine.quantities[name].error
+    ]
+    assert len(missed) <= 1, missed  # the promise is 95 %
+
+
+def test_load_and_indentation_control_agree():
+    by_depth = softlube.solve(beta=100, substrate=Layer(1.0))
+    unit = float(by_depth.beta_load / by_depth.beta) ** 0.5
+    by_load = softlube.solve(beta_load=by_depth.beta_load, substrate=Layer(1.0).in_units(unit))
+    assert by_load.height * unit == pytest.approx(-1, rel=1e-4)
+    assert by_load.film_center * unit == pytest.approx(by_depth.film_center, rel=1e-3)
+
+
+def test_units_scale_the_thickness():
+    assert Layer(2.0).in_units(4.0) == Layer(1.0)
+    assert HalfSpace().in_units(4.0) == HalfSpace()
+
+
+def test_round_trip_in_plain_values():
+    for substrate in (HalfSpace(), Layer(0.3, 0.25, "frictionless")):
+        assert from_plain(to_plain(substrate)) == substrate
+    assert from_plain(None) == HalfSpace()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"thickness": 0.0}, "thickness: expected a positive"),
+        ({"thickness": float("nan")}, "thickness: "),
+        ({"thickness": 1.0, "poisson_ratio": 0.6}, "poisson_ratio: expected a number between 0 and 0.5"),
+        ({"thickness": 1.0, "base": "glued"}, "base: expected 'bonded' or 'frictionless'"),
+    ],
+)
+def test_bad_layers_are_refused(arguments, message):
+    with pytest.raises(softlube.InputError, match=message):
+        Layer(**arguments)
+
+
+def test_models_that_do_not_know_layers_refuse_them():
+    from softlube import curve
+    from softlube.solver import solve_problem
+
+    problem = Problem(beta=100.0, substrate=Layer(1.0))
+    with pytest.raises(softlube.InputError, match="the master curve is for a half-space"):
+        curve.quantities(problem)
+    with pytest.raises(softlube.InputError, match="the paper's methods know the half-space"):
+        solve_problem(problem, method="relaxation")
