@@ -20,11 +20,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
-from softlube.contact import Contact
 from softlube.errors import InputError, NotConvergedError
 from softlube.problem import Cavitation
 from softlube.quantities import CONTACT, DOMAIN, integrate
 from softlube.solution import Solution
+from softlube.solver import solve
 
 Array = NDArray[np.floating]
 
@@ -85,16 +85,11 @@ class Node:
 
 @lru_cache(maxsize=400)
 def _solution(index: int, cavitation: Cavitation, accuracy: float) -> Solution | str:
-    """Solution at β_load = 10^(index/PER_DECADE), or why there is none.
-
-    The contact has R = G = δ = 1 in SI, so that its SI values are the normalised ones, whichever scales the solver uses.
-    """
-    viscosity = 2 * math.pi / 3 * 10 ** (-index / PER_DECADE)
-    contact = Contact(radius=1.0, shear_modulus=1.0, load=16 / 3, viscosity=viscosity, speed=1.0, cavitation=cavitation)
+    """Solution at β_load = 10^(index/PER_DECADE), or why there is none."""
     reason = ""
     for attempt in (accuracy, 5 * accuracy):
         try:
-            return contact.solve(accuracy=attempt)
+            return solve(beta_load=10 ** (index / PER_DECADE), cavitation=cavitation, accuracy=attempt)
         except NotConvergedError as error:
             reason = reason or str(error)
     return reason
@@ -105,30 +100,23 @@ def _node(index: int, region: str | float, cavitation: Cavitation, accuracy: flo
     solution = _solution(index, cavitation, accuracy)
     if isinstance(solution, str):
         return None
-    fields, values = solution.fields, solution.dimensional
-    if isinstance(region, str):
-        cutoff = REGIONS[region]
-        friction, error = float(values[f"friction_{region}"]), values[f"friction_{region}"].error
-    else:
-        cutoff = region / float(values["contact_radius"])
-        if cutoff > fields.r[-1]:
-            return None
-        friction = solution.friction_within(cutoff) / float(solution.quantities["friction_domain"])
-        friction *= float(values["friction_domain"])
-        error = friction * values["friction_domain"].error / float(values["friction_domain"])
+    fields, values = solution.fields, solution.quantities
+    cutoff = REGIONS[region] if isinstance(region, str) else region
+    if cutoff > fields.r[-1]:
+        return None
 
     def part(integrand: Callable[[Array, Array], Array]) -> float:
         return integrate(fields, integrand, cutoff)
 
     poiseuille = part(lambda xi, s: 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0])
     couette = part(lambda xi, s: 1 / (fields.beta * fields.film_spline(xi, s)))
-    center, least = values["film_center"], values["film_min"]
+    center, least, friction = (values[name] for name in ("film_center", "film_min", "friction_domain"))
     return Node(
         float(center),
         float(least),
-        friction / (2 * math.pi / 3) * couette / (couette + poiseuille),
+        couette,
         poiseuille / couette,
-        (center.error / float(center), least.error / float(least), error / abs(friction)),
+        (center.error / center, least.error / least, friction.error / abs(friction)),
     )
 
 
@@ -142,8 +130,7 @@ class Curve:
         Range of β_load in which the curve holds; beyond it values are nan.
     region : str or float
         Where the friction is counted: a radius in units of the load's Hertz contact radius √(Rδ), which stays where it is when
-        the speed changes; or "contact" (r ≤ a) or "domain" (r ≤ 2a, the paper's) with a = √(R|h₀|) of the contact itself, as
-        `softlube.solve` has them.  The same in the Hertz limit; at light load √(R|h₀|) shrinks, and with it what is counted.
+        the speed changes; or the name of one, "contact" (1) or "domain" (2, the paper's).
     nodes : tuple of Node
     log_beta : ndarray
         Their ln β.
