@@ -72,9 +72,10 @@ def cold(repeats: int) -> tuple[float, float]:
 
 def cost(beta: float) -> tuple[list[tuple[int, float, float]], float, float]:
     """Unknowns and seconds of processor time, for the operators and for Newton's method, grid by grid; their exponents."""
+    from softlube.meshing import grid_for, unit_for
     from softlube.newton import newton
     from softlube.problem import Problem
-    from softlube.solver import LADDER, grid_for, prolong, unit_for
+    from softlube.solver import LADDER, prolong
     from softlube.system import ContactSystem, forget_operators
 
     problem, rows, x, coarse = Problem(beta=beta), [], None, None

@@ -3,7 +3,7 @@
     python benchmarks/calibrate_errors.py --cases 60 --seed 3
 
 β from 10⁻⁴ to 10⁸, loads and indentations, both cavitation settings.  Prints, for each quantity, the median and the largest
-true error of the default solution (in terms of `softlube.solver.yardstick`), how many of the true errors lie below their
+true error of the default solution (in terms of `softlube.accuracy.yardstick`), how many of the true errors lie below their
 estimates (coverage), and how much larger than the true error the estimate is (median ratio).  Ten seconds a case.
 """
 
@@ -20,9 +20,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
 from fine_grid import reference
 
+from softlube.accuracy import yardstick
 from softlube.problem import Problem
 from softlube.quantities import DESCRIPTION
-from softlube.solver import solve_problem, yardstick
+from softlube.solver import solve_problem
 
 
 def random_problem(seed: int, case: int) -> Problem:

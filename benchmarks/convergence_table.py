@@ -3,7 +3,7 @@
     python benchmarks/convergence_table.py
 
 The values are those of tests/verification/reference.json (made by benchmarks/fine_grid.py); errors are in units of 10⁻⁵, in
-terms of `softlube.solver.yardstick`.  Two minutes.
+terms of `softlube.accuracy.yardstick`.  Two minutes.
 """
 
 from __future__ import annotations
@@ -11,8 +11,9 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from softlube.accuracy import yardstick
 from softlube.problem import Problem
-from softlube.solver import climb, yardstick
+from softlube.solver import climb
 from softlube.system import forget_operators
 
 REFERENCE = Path(__file__).parent.parent / "tests" / "verification" / "reference.json"

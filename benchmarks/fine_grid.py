@@ -15,8 +15,9 @@ from pathlib import Path
 
 import numpy as np
 
+from softlube.meshing import grid_for
 from softlube.problem import Problem
-from softlube.solver import grid_for, prolong, solve_level
+from softlube.solver import prolong, solve_level
 from softlube.system import forget_operators
 
 CASES = [

@@ -6,9 +6,10 @@ import pytest
 from softlube.continuation import march
 from softlube.errors import NotConvergedError
 from softlube.grid import PolarGrid
+from softlube.meshing import grid_for
 from softlube.newton import newton
 from softlube.problem import Problem
-from softlube.solver import grid_for, solve_level
+from softlube.solver import solve_level
 from softlube.system import ContactSystem
 
 

@@ -11,9 +11,10 @@ from softlube.cli import main
 from softlube.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film, nijenbanning_venner_moes
 from softlube.fluids import Barus, Newtonian, Roelands, from_plain, to_plain
 from softlube.grid import PolarGrid
+from softlube.meshing import grid_for
 from softlube.problem import Problem
 from softlube.reynolds import ReynoldsOperator
-from softlube.solver import grid_for, solve_level
+from softlube.solver import solve_level
 from softlube.system import ContactSystem
 
 LAWS = [Barus(3.0), Roelands(3.0, 0.6, 0.4)]

@@ -8,10 +8,11 @@ from scipy import sparse
 
 from softlube.elasticity import elastic_operator
 from softlube.grid import PolarGrid
+from softlube.meshing import grid_for
 from softlube.newton import newton
 from softlube.preconditioner import Border, FilmEquation, local_stiffness
 from softlube.problem import Problem
-from softlube.solver import grid_for, solve_level
+from softlube.solver import solve_level
 from softlube.system import ContactSystem
 
 GRID = PolarGrid(20, 10, layer=0.1)

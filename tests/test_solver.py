@@ -4,22 +4,13 @@ import numpy as np
 import pytest
 
 import softlube
+from softlube.accuracy import LOOSER, REPORTED_ONLY, estimate_errors, floors_for, yardstick
 from softlube.limits import HERTZ_LOAD
+from softlube.meshing import first_height, grid_for, unit_for
 from softlube.newton import newton
 from softlube.problem import Problem
 from softlube.quantities import DESCRIPTION, measure
-from softlube.solver import (
-    LOOSER,
-    REPORTED_ONLY,
-    estimate_errors,
-    first_height,
-    floors_for,
-    grid_for,
-    solve_level,
-    solve_problem,
-    unit_for,
-    yardstick,
-)
+from softlube.solver import solve_level, solve_problem
 from softlube.system import ContactSystem
 
 

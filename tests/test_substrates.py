@@ -8,8 +8,9 @@ from scipy.special import j0, jv
 import softlube
 from softlube.elasticity import elastic_operator, ring_kernels
 from softlube.grid import PolarGrid
+from softlube.meshing import grid_for
 from softlube.problem import Problem
-from softlube.solver import grid_for, solve_level
+from softlube.solver import solve_level
 from softlube.substrates import HalfSpace, Layer, compliance_defect, from_plain, to_plain
 
 

@@ -5,8 +5,8 @@ import pytest
 
 from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD, far_field_profile
+from softlube.meshing import first_height, grid_for, unit_for
 from softlube.problem import Problem
-from softlube.solver import first_height, grid_for, unit_for
 from softlube.system import ContactSystem
 
 GRID = PolarGrid(20, 10, layer=0.1)

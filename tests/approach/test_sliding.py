@@ -9,9 +9,10 @@ from softlube.approach.motion import constant_load
 from softlube.approach.sliding import mass_matrix, start_sliding
 from softlube.errors import InputError
 from softlube.limits import HERTZ_LOAD
+from softlube.meshing import grid_for
 from softlube.problem import Problem
 from softlube.quantities import measure
-from softlube.solver import grid_for, solve_level
+from softlube.solver import solve_level
 from softlube.system import ContactSystem
 
 BETA = 100.0

@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from softlube.accuracy import yardstick
 from softlube.problem import Problem
-from softlube.solver import solve_problem, yardstick
+from softlube.solver import solve_problem
 
 REFERENCE = json.loads((Path(__file__).parent / "reference.json").read_text())
 CASES = [Problem(**case["problem"]) for case in REFERENCE]

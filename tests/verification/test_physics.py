@@ -7,8 +7,9 @@ import pytest
 
 import softlube
 from softlube.limits import HERTZ_LOAD, HERTZ_PRESSURE, half_sommerfeld_load, hertz_pressure, kapitza_pressure
+from softlube.meshing import grid_for
 from softlube.problem import Problem
-from softlube.solver import fields_of, grid_for, solve_level
+from softlube.solver import fields_of, solve_level
 from softlube.system import ContactSystem
 
 

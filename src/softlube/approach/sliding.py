@@ -27,10 +27,11 @@ from softlube.elasticity import rim_slice
 from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
 from softlube.limits import HERTZ_LOAD
+from softlube.meshing import grid_for
 from softlube.newton import newton
 from softlube.problem import Problem
 from softlube.reynolds import Sparse
-from softlube.solver import fields_of, grid_for
+from softlube.solver import fields_of
 from softlube.system import ContactSystem, LinearisedContact
 
 Array = NDArray[np.floating]

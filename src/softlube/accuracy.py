@@ -1,0 +1,135 @@
+"""Errors of the quantities, from how they change over nested grids, and whether they are small enough."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from softlube.meshing import like_hertz, over_a_gap
+from softlube.problem import Problem
+from softlube.quantities import BOUNDARY_LAYER_LEVEL
+
+LOOSER = {"film_min": 3.0}
+LOOSER_DEEP = {"film_min": 10.0}
+"""Quantities whose error may exceed the accuracy by this factor: the extremum in the thinnest layer, which takes
+more angles the larger β is; the second beyond `COARSE_BETA`."""
+REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg", "shear_rate_max")
+"""Quantities that carry an error but do not decide when the grid is fine enough."""
+FREE_BOUNDARY = {
+    "load": 0.1,
+    "load_contact": 0.1,
+    "height": 0.05,
+    "film_center": 0.03,
+    "film_min": 0.75,
+    "film_min_radius": 1.0,
+    "film_min_angle_deg": 150.0,
+    "film_inlet": 0.041,
+    "film_outlet_min": 0.5,
+    "pressure_center": 0.08,
+    "pressure_max": 0.06,
+    "pressure_gradient_inlet": 0.24,
+    "boundary_layer": 0.15,
+    "friction_contact": 0.07,
+    "friction_domain": 0.08,
+    "shear_rate_max": 1.6,
+}
+"""Least error, times n_theta², that a grid leaves because the free boundary falls between its nodes: in terms of `yardstick`.
+Measured against finer grids by benchmarks/calibrate_errors.py; see docs/verification.md."""
+FREE_BOUNDARY_GAP = {
+    "load_contact": 0.56,
+    "height": 0.18,
+    "film_center": 0.35,
+    "film_min": 0.35,
+    "film_min_angle_deg": 1.2e5,
+    "film_inlet": 0.35,
+    "film_outlet_min": 0.35,
+    "pressure_center": 0.56,
+    "pressure_max": 0.55,
+    "pressure_gradient_inlet": 0.71,
+    "boundary_layer": 0.21,
+    "friction_contact": 0.36,
+    "friction_domain": 0.36,
+}
+"""The same under a sphere that hardly touches or does not: the boundary passes close by, the minimum film sits on the axis."""
+FREE_BOUNDARY_DEEP = {"film_min": 2.0}
+"""The same for a very large β, where few angles share the layer with the minimum film."""
+SUCTION = {"film_min": 1.0, "shear_rate_max": 25.0}
+"""The same without the Reynolds condition, where it differs: the largest shear lies in the suction behind the contact."""
+DEEP_BETA = 3e4
+COARSE_BETA = 3e6
+"""β up to which the coarsest grid is of use."""
+
+
+def yardstick(name: str, values: Mapping[str, float]) -> float:
+    """What the error of a quantity is compared with: its size, where that cannot vanish.
+
+    The height is compared with the film too, the boundary layer with its place in a dry contact (p/p_max = 5 % at 1 − r =
+    0.00125), the place of the minimum film with 1.
+    """
+    if name.startswith("film_min_"):
+        return 1.0
+    extra = {"height": values["film_center"], "boundary_layer": BOUNDARY_LAYER_LEVEL**2 / 2}
+    return abs(values[name]) + extra.get(name, 0.0)
+
+
+def floors_for(problem: Problem) -> Mapping[str, float]:
+    """Errors, times n_theta² and in terms of `yardstick`, that the estimates of a problem never go below."""
+    floors = dict(FREE_BOUNDARY)
+    if problem.cavitation == "none":
+        floors |= SUCTION
+    elif over_a_gap(problem):
+        floors |= FREE_BOUNDARY_GAP
+    if like_hertz(problem) > DEEP_BETA and not over_a_gap(problem):
+        floors |= FREE_BOUNDARY_DEEP
+    return floors
+
+
+def estimate_errors(
+    levels: Sequence[Mapping[str, float]], n_theta: int, floors: Mapping[str, float] = FREE_BOUNDARY, exact: str = ""
+) -> dict[str, float]:
+    """Error of the finest grid's quantities, from how they changed over the grids.
+
+    The scheme is of fourth order where the pressure is smooth, and of second at the free boundary, whose place between the
+    nodes makes the change from grid to grid erratic: now and then a quantity hardly changes by chance.  So its error is taken
+    from its last change, the change before that, and what the free boundary is known to leave on a grid of that size.
+
+    Parameters
+    ----------
+    levels : sequence of mapping
+        Quantities on successive grids, coarse to fine; at least two.
+    n_theta : int
+        Angular intervals of the finest.
+    floors : mapping
+        See `floors_for`.
+    exact : str
+        A quantity that is prescribed.
+
+    Returns
+    -------
+    dict of str to float
+        Absolute estimates; at least 95 % of true errors lie below them (docs/verification.md).
+    """
+    finest, before = levels[-1], levels[-2]
+    estimates = {}
+    for name, value in finest.items():
+        last = abs(value - before[name])
+        changes = max(0.6 * last, 0.05 * abs(before[name] - levels[-3][name])) if len(levels) > 2 else last
+        estimates[name] = 0.0 if name == exact else max(changes, yardstick(name, finest) * floors[name] / n_theta**2)
+    return estimates
+
+
+def looser(problem: Problem) -> Mapping[str, float]:
+    """Factors by which the errors of some quantities may exceed the accuracy."""
+    return LOOSER_DEEP if like_hertz(problem) > COARSE_BETA else LOOSER
+
+
+def unresolved(
+    values: Mapping[str, float], errors: Mapping[str, float], accuracy: float, looser: Mapping[str, float]
+) -> dict[str, float]:
+    """Quantities whose error exceeds what was asked for, with the relative error."""
+    result = {}
+    for name, error in errors.items():
+        if name not in REPORTED_ONLY:
+            relative = error / yardstick(name, values)
+            if not relative <= accuracy * looser.get(name, 1.0):
+                result[name] = relative
+    return result

@@ -1,0 +1,83 @@
+"""Which unit of height, which grid, and about which height a problem starts from."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from softlube.dry import DryContact, dry_contact_at
+from softlube.grid import PolarGrid
+from softlube.limits import HERTZ_LOAD
+from softlube.problem import Problem
+
+RADIAL_STEP = 6.0
+"""Spacing of ξ times the number of angular intervals."""
+RADIAL_STEP_GAP = 4.0
+"""The same under a sphere that does not touch, where the mesh also reaches farther: u = h₀ + r²/2 becomes r²/2 later."""
+TOUCHING = 4.5
+"""β_load at which h₀ = 0 under the Reynolds condition, about."""
+
+
+def unit_for(problem: Problem) -> float:
+    """Unit of height that suits the mesh, over the problem's own: √unit is where the mesh is refined.
+
+    A contact has its edge, as found dry, at r = 1 (on a half-space the units are the same).  Where the film is thicker than
+    the indentation, the pressure is as wide as the gap allows
+    (the rigid sphere's is largest at r = 0.26 √(2h₀)).
+    """
+    pressed = dry_under(problem).radius ** 2
+    if problem.load_controlled:
+        return pressed + 0.18 * max(first_height(problem), 0)
+    lifted = np.sqrt(TOUCHING / problem.parameter)
+    over_contact = pressed * max(1.0, np.sqrt(TOUCHING / like_hertz(problem)))
+    return float({-1: over_contact, 0: lifted, 1: 0.2 + lifted}[problem.height])
+
+
+def dry_under(problem: Problem) -> DryContact:
+    """The contact without the film, under the problem's load or at its indentation."""
+    if problem.load_controlled:
+        return dry_contact_at(problem.substrate, load=HERTZ_LOAD)
+    return dry_contact_at(problem.substrate, indentation=1.0)
+
+
+def like_hertz(problem: Problem) -> float:
+    """β of the contact on a half-space with the same layers at its edge; the problem's own if it is one."""
+    return dry_under(problem).like_hertz(problem.parameter)
+
+
+def over_a_gap(problem: Problem) -> bool:
+    """Whether the sphere stays above the undeformed surface, or about."""
+    return problem.height >= 0 or (problem.load_controlled and unit_for(problem) > 1.01 * dry_under(problem).radius ** 2)
+
+
+def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
+    """Grid with the refinement that β calls for.
+
+    The layers at the contact edge are β^(−2/5) wide at the inlet and outlet and β^(−1/2) at the sides, where they take an
+    angle of β^(−1/4).  The grading changes in steps of 2 (of √2 in angle), so that neighbouring β share a grid and its elastic
+    operator.
+    """
+    gap = over_a_gap(problem)
+    beta = 1.0 if gap else max(like_hertz(problem), 1.0)
+    step = np.round(np.log2(beta**-0.4))
+    grid = PolarGrid(
+        n_r=8,
+        n_theta=n_theta,
+        layer=0.5 if gap else float(min(0.4 * 2.0**step, 0.25)),
+        side_layer=float(min(1.2 * 2.0 ** (step * 0.625), 1.0)),
+        reach=60.0 if gap else 20.0,
+    )
+    return grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / (RADIAL_STEP_GAP if gap else RADIAL_STEP))), n_theta)
+
+
+def first_height(problem: Problem) -> float:
+    """About the height under a load, in units of the load's Hertz indentation.
+
+    In the Hertz limit h₀ + 1 ~ β^(−3/5), and another substrate is as deep as dry.  A light load is carried by the rigid
+    sphere's pressure, which goes like 1/(β√h₀), or
+    without the Reynolds condition by what the deformation adds to it, like 1/(β²h₀^(5/2)) (constants measured).
+    """
+    beta, dry = like_hertz(problem), dry_under(problem)
+    if beta > TOUCHING / 2:
+        return 2.6 * dry.radius**2 * dry.edge * beta**-0.6 - dry.indentation
+    beta = problem.parameter
+    return 5.5 / beta**2 if problem.cavitation == "reynolds" else 0.65 / beta**0.8
