@@ -99,6 +99,7 @@ class Cluster:
 
     def __init__(self, workers: int, folder: Path) -> None:
         self.address_file = folder / f"scheduler-{workers}.json"
+        self.address_file.unlink(missing_ok=True)  # an earlier cluster's address is nobody's now
         environment = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
         def start(what: str, *arguments: str) -> subprocess.Popen:
