@@ -7,6 +7,7 @@ it has met.  `softlube.sweeps.run` gives every lane neighbouring β.
 from __future__ import annotations
 
 import errno
+import gc
 import os
 import threading
 import time
@@ -125,13 +126,14 @@ class Dask:
             from distributed import Client
         except ImportError:
             raise InputError("scheduler: needs the extra dask: pip install 'softlube[dask]'") from None
+        reason = ""
         try:
             self._client = Client(address, timeout=JOIN_TIMEOUT, set_as_default=False)
         except (OSError, ValueError) as error:
             reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-            raise InputError(
-                f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786"
-            ) from None
+        if reason:
+            gc.collect()  # ends the half-made client now; ended while another one starts, it blocks both
+            raise InputError(f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786")
         try:
             self._client.wait_for_workers(1, timeout=JOIN_TIMEOUT)
             versions = self._client.run(solver_version)
