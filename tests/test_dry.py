@@ -41,6 +41,25 @@ def test_first_order_of_a_thick_layer():
     assert Layer(1.0, 0.5, "frictionless").spectrum()[1].sum() == pytest.approx(-1.16758, abs=1e-5)
 
 
+def test_third_order_of_a_thick_layer():
+    """Load over Hertz's = 1 + bχ + (7/6)b²χ² + [(40/27)b³ + 8α₂/(15π)]χ³ + O(χ⁴), b = −(2/π)α₀, αₙ = ∫κⁿ(C − 1)dκ.
+
+    The base lifts the surface by −α₀N/t − α₂⟨ρ²⟩N/(4t³): a shift of δ and a change of curvature, in Hertz's formulas.
+    """
+    layer = Layer(1.0)
+    kappa, defect = layer.spectrum()
+    b, alpha = -2 / np.pi * defect.sum(), float((kappa**2 * defect).sum())
+    second, third = 7 / 6 * b**2, 40 / 27 * b**3 + 8 / (15 * np.pi) * alpha
+    left = []
+    for chi in (0.02, 0.04):
+        ours = dry_contact_at(Layer(1 / chi), indentation=1.0).load / HERTZ_LOAD
+        left.append(ours - (1 + b * chi + second * chi**2 + third * chi**3))
+        # García & García (Biophys. J. 114, 2018, 2923) have 1.133, 1.497, 1.469, 0.755.
+        theirs = 1 + 1.133 * chi + 1.497 * chi**2 + 1.469 * chi**3 + 0.755 * chi**4
+        assert ours == pytest.approx(theirs, rel=6e-4)
+    assert left[1] / left[0] == pytest.approx(16, rel=0.01)
+
+
 def test_thin_compressible_layer_is_a_winkler_foundation():
     """Pressure δ(1 − r²/a²)/K with a² = 2δ and C = Kk/(2π): load πδ²/K."""
     for layer in (Layer(0.02, 0.3), Layer(0.02, 0.5, "frictionless")):
