@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import softlube
-from softlube.contact import KINDS, UNITS, to_si
+from softlube.contact import UNITS
+from softlube.units import KINDS, to_si
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
 

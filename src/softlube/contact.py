@@ -8,39 +8,23 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
-from functools import cache
-from typing import Any, Literal, SupportsFloat, get_args
+from typing import Any
 
-import numpy as np
-
-from softlube.dry import dry_contact_at
 from softlube.errors import InputError
-from softlube.fluids import Barus, Fluid, Newtonian, Roelands
-from softlube.limits import HERTZ_LOAD
+from softlube.fluids import Fluid
+from softlube.materials import (
+    LARGEST_FILM_REYNOLDS,
+    LARGEST_SLOPE,
+    Materials,
+    check_choice,
+    dry_effect,
+    layer_doubt,
+    read_materials,
+)
 from softlube.problem import Cavitation, Problem
 from softlube.solution import Quantity, Solution
-from softlube.substrates import Base, HalfSpace, Layer, Substrate, check_poisson_ratio
-
-KINDS = {
-    "radius": ("m", "a length such as '2 mm'"),
-    "young_modulus": ("Pa", "a pressure such as '3 MPa'"),
-    "shear_modulus": ("Pa", "a pressure such as '1 MPa'"),
-    "viscosity": ("Pa s", "a dynamic viscosity such as '2 Pa s'"),
-    "speed": ("m/s", "a speed such as '0.1 mm/s'"),
-    "entrainment_speed": ("m/s", "a speed such as '0.05 mm/s'"),
-    "load": ("N", "a force such as '100 mN'"),
-    "friction": ("N", "a force such as '5 mN'"),
-    "indentation": ("m", "a length such as '50 um', or '-1 um' for a gap"),
-    "roughness": ("m", "a length such as '20 nm'"),
-    "thickness": ("m", "a length such as '2 mm'"),
-    "density": ("kg/m^3", "a density such as '970 kg/m^3'"),
-    "poisson_ratio": ("", "a number such as '0.45'"),
-    "pressure_viscosity": ("1/Pa", "an inverse pressure such as '20 GPa^-1'"),
-}
-"""Unit and example of every physical input."""
-
-SIGNED = ("indentation",)
-"""Inputs that may be zero or negative."""
+from softlube.substrates import Layer, Substrate
+from softlube.units import KINDS, to_si
 
 UNITS = {
     "load": "N",
@@ -63,101 +47,6 @@ UNITS = {
 }
 """SI unit of every dimensional quantity."""
 
-LARGEST_SLOPE = 0.3
-LARGEST_FILM_REYNOLDS = 0.1
-SMALLEST_RISE = 0.01
-LARGEST_LAYER_EFFECT = 0.05
-"""Relative change by the finite thickness that is spoken of."""
-
-ViscosityLaw = Literal["barus", "roelands"]
-
-
-@cache
-def _registry() -> Any:
-    import pint
-
-    return pint.UnitRegistry()
-
-
-def to_si(name: str, value: object) -> float:
-    """One physical input in SI.
-
-    Parameters
-    ----------
-    name : str
-        A key of `KINDS`.
-    value : str, float or pint.Quantity
-        Text with a unit, a number already in SI, or a quantity.
-
-    Raises
-    ------
-    InputError
-        If the value is not a positive (an indentation: not a), finite quantity of the right dimension; the message names the
-        parameter.
-    """
-    unit, expected = KINDS[name]
-    if not unit:
-        return _number(name, value)
-    quantity: Any
-    if isinstance(value, str):
-        import pint
-
-        text = value.strip()
-        try:
-            quantity = _registry().Quantity(text)
-        except pint.UndefinedUnitError as error:
-            raise InputError(f"{name}: {text!r} has an unknown unit ({error.args[0]!r}); expected {expected}") from None
-        except Exception:  # pint's parser raises whatever the text provokes: SyntaxError, TypeError, DefinitionSyntaxError, …
-            raise InputError(f"{name}: cannot read {text!r}; expected {expected}") from None
-        if quantity.unitless:
-            raise InputError(f"{name}: {text!r} has no unit; expected {expected}")
-    elif hasattr(value, "to") and hasattr(value, "magnitude"):
-        quantity = value
-    elif isinstance(value, SupportsFloat) and not isinstance(value, bool):
-        return _checked(name, float(value), value)
-    else:
-        raise InputError(f"{name}: cannot read {value!r}; expected {expected}")
-    try:
-        number = float(quantity.to(unit).magnitude)
-    except Exception as error:
-        if type(error).__name__ == "DimensionalityError":
-            raise InputError(f"{name}: {value!s} has the wrong dimension; expected {expected}") from None
-        raise InputError(f"{name}: cannot read {value!r}; expected {expected}") from None
-    return _checked(name, number, value)
-
-
-def unit_factor(name: str, unit: str) -> float:
-    """What a number in `unit` is multiplied by to be in SI.
-
-    Parameters
-    ----------
-    name : str
-        A key of `KINDS`.
-    unit : str
-        In any spelling pint knows, such as "mN" or "mm/s".
-
-    Raises
-    ------
-    InputError
-        If the unit is unknown or of the wrong dimension.
-    """
-    return to_si(name, f"1 {unit}") if unit.strip() else to_si(name, "1")
-
-
-def _checked(name: str, number: float, given: object) -> float:
-    signed = name in SIGNED
-    if not math.isfinite(number) or (number <= 0 and not signed):
-        raise InputError(f"{name}: expected a {'' if signed else 'positive, '}finite quantity, {KINDS[name][1]}; got {given!s}")
-    return number
-
-
-def _number(name: str, value: object) -> float:
-    """A plain number, given as one or as text."""
-    try:
-        return float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: expected a number without unit, got {value!r}") from None
-
 
 def replace_substrate(contact: Contact, thickness: float | None) -> Contact:
     """The same contact with another thickness of the substrate; None for a half-space."""
@@ -166,7 +55,7 @@ def replace_substrate(contact: Contact, thickness: float | None) -> Contact:
 
 
 @dataclass(frozen=True, init=False)
-class Contact:
+class Contact(Materials):
     """A rigid sphere sliding over a soft half-space or layer with a viscous film between.
 
     Every argument takes text with a unit in any spelling pint knows ("2 mm", "3 MPa", "2 Pa s"), a pint quantity, or a number
@@ -223,20 +112,11 @@ class Contact:
     16430
     """
 
-    radius: float
-    viscosity: float
     speed: float
-    shear_modulus: float
     load: float | None
     indentation: float | None
     cavitation: Cavitation
     roughness: float | None
-    thickness: float | None
-    density: float
-    poisson_ratio: float
-    base: Base
-    pressure_viscosity: float | None
-    viscosity_law: ViscosityLaw
 
     def __init__(
         self,
@@ -257,49 +137,29 @@ class Contact:
         pressure_viscosity: object = None,
         viscosity_law: str = "barus",
     ) -> None:
-        given = {"radius": radius, "viscosity": viscosity, "speed": speed}
-        for name, value in given.items():
-            if value is None:
-                raise InputError(f"{name}: missing; expected {KINDS[name][1]}")
-        for pair in (
-            {"young_modulus": young_modulus, "shear_modulus": shear_modulus},
-            {"load": load, "indentation": indentation},
-        ):
-            chosen = [name for name, value in pair.items() if value is not None]
-            if len(chosen) != 1:
-                verb = "are both given" if chosen else "are both missing"
-                raise InputError(f"{', '.join(pair)}: {verb}; give exactly one, {' or '.join(KINDS[name][1] for name in pair)}")
-        given |= {"load": load, "indentation": indentation, "roughness": roughness, "thickness": thickness, "density": density}
-        given |= {"pressure_viscosity": pressure_viscosity}
-        ratio = to_si("poisson_ratio", poisson_ratio)
-        check_poisson_ratio(ratio)
-        values = {name: None if value is None else to_si(name, value) for name, value in given.items()}
-        if young_modulus is not None:
-            values["shear_modulus"] = to_si("young_modulus", young_modulus) / (2 * (1 + ratio))
-        else:
-            values["shear_modulus"] = to_si("shear_modulus", shear_modulus)
+        values = read_materials(
+            radius=radius,
+            viscosity=viscosity,
+            young_modulus=young_modulus,
+            shear_modulus=shear_modulus,
+            density=density,
+            thickness=thickness,
+            poisson_ratio=poisson_ratio,
+            base=base,
+            pressure_viscosity=pressure_viscosity,
+            viscosity_law=viscosity_law,
+        )
+        if speed is None:
+            raise InputError(f"speed: missing; expected {KINDS['speed'][1]}")
+        check_choice({"load": load, "indentation": indentation})
+        given = {"speed": speed, "load": load, "indentation": indentation, "roughness": roughness}
+        values |= {name: None if value is None else to_si(name, value) for name, value in given.items()}
         if cavitation not in ("reynolds", "none"):
             raise InputError(f"cavitation: expected 'reynolds' or 'none', got {cavitation!r}")
-        for name, choice, known in (("base", base, Base), ("viscosity_law", viscosity_law, ViscosityLaw)):
-            if choice not in get_args(known):
-                raise InputError(f"{name}: expected {' or '.join(map(repr, get_args(known)))}, got {choice!r}")
-        for name, needed, unused in (
-            ("base", thickness, base == "bonded"),
-            ("viscosity_law", pressure_viscosity, viscosity_law == "barus"),
-        ):
-            if needed is None and not unused:
-                other = "thickness" if name == "base" else "pressure_viscosity"
-                raise InputError(f"{name}, {other}: the first means nothing without the second; give both or neither")
-        choices = {"poisson_ratio": ratio, "base": base, "viscosity_law": viscosity_law, "cavitation": cavitation}
-        for name, value in (values | choices).items():
+        for name, value in (values | {"cavitation": cavitation}).items():
             object.__setattr__(self, name, value)
 
     # --- from SI to the dimensionless problem -----------------------------------------------------------------------
-
-    @property
-    def contact_modulus(self) -> float:
-        """G/(2(1 − ν)) [Pa]: a quarter of the effective modulus E*, and G itself at ν = 1/2, as in the paper."""
-        return self.shear_modulus / (2 * (1 - self.poisson_ratio))
 
     @property
     def unit_height(self) -> float:
@@ -309,7 +169,7 @@ class Contact:
         makes β = 1, where the film is about as thick.
         """
         if self.load is not None:
-            return (3 * self.load / (16 * self.contact_modulus * math.sqrt(self.radius))) ** (2 / 3)
+            return self.hertz_indentation(self.load)
         assert self.indentation is not None
         if self.indentation == 0:
             return math.sqrt(1.5 * self.radius * self.viscosity * self.speed / (math.pi * self.contact_modulus))
@@ -320,34 +180,17 @@ class Contact:
         """√(R × `unit_height`) [m]: the radius of the Hertz contact."""
         return math.sqrt(self.radius * self.unit_height)
 
-    @property
-    def unit_pressure(self) -> float:
-        """4πG√(`unit_height`/R) [Pa], Eq. (4)."""
-        return 4 * math.pi * self.contact_modulus * math.sqrt(self.unit_height / self.radius)
-
     def substrate(self) -> Substrate:
         """What the sphere slides over, dimensionless."""
-        if self.thickness is None:
-            return HalfSpace()
-        return Layer(self.thickness / self.unit_length, self.poisson_ratio, self.base)
+        return self.substrate_for(self.unit_height)
 
     def fluid(self) -> Fluid:
         """The law of the viscosity, dimensionless."""
-        if self.pressure_viscosity is None:
-            return Newtonian()
-        if self.viscosity_law == "barus":
-            return Barus(self.pressure_viscosity * self.unit_pressure)
-        return Roelands.of(self.pressure_viscosity, self.viscosity, self.unit_pressure)
+        return self.fluid_for(self.unit_height)
 
     def problem(self) -> Problem:
         """The dimensionless problem, Eq. (6d) or (30)."""
-        try:
-            stiffness = (2 / 3) * (self.unit_height**2 / self.radius) * math.pi * self.contact_modulus
-            beta = stiffness / (self.viscosity * self.speed)
-        except (ZeroDivisionError, OverflowError):
-            beta = math.inf
-        if not (math.isfinite(beta) and beta > 0):
-            raise InputError(f"the inputs give beta = {beta:g}, which is no number to compute with; check their units")
+        beta = self.beta(self.unit_height, self.speed)
         models: dict[str, Any] = {"substrate": self.substrate(), "fluid": self.fluid()}
         if self.load is not None:
             return Problem(beta_load=beta, cavitation=self.cavitation, **models)
@@ -393,13 +236,13 @@ class Contact:
     def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
         """Quantities of `problem` in SI, Eqs. (4) and (26)."""
         height, length = self.unit_height, self.unit_length
-        pressure = self.unit_pressure
+        units = {name: value for name, (value, _) in self.scales(height).items()}
         scales = {
-            "load": pressure * length**2,
+            "load": units["load"],
             "film": height,
-            "pressure": pressure,
-            "pressure_gradient_inlet": pressure / length,
-            "friction": 2 * math.pi / 3 * self.contact_modulus * height**2,
+            "pressure": units["pressure"],
+            "pressure_gradient_inlet": units["pressure"] / length,
+            "friction": units["friction"],
             "length": length,
             "shear_rate_max": self.speed / height,
         }
@@ -444,26 +287,16 @@ class Contact:
             doubts.append(
                 f"the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
             )
-        if self.pressure_viscosity is not None:
-            highest = np.array([float(dimensional["pressure_max"]) / self.unit_pressure])
-            rise = float(self.fluid().viscosity(highest)[0]) - 1
-            if rise < SMALLEST_RISE:
-                doubts.append(
-                    f"the viscosity rises by {100 * rise:.2g} % at most with the pressure: a constant one would do as well"
-                )
+        doubts += self.thickening_doubt(float(dimensional["pressure_max"]))
         if self.thickness is not None and not lifted:
             doubts += self._thickness_effect(dimensional)
         return tuple(doubts)
 
     def _thickness_effect(self, dimensional: Mapping[str, Quantity]) -> list[str]:
         """What the finite thickness of the substrate changes, computed."""
-        by_load = self.load is not None
-        if by_load:
-            dry = dry_contact_at(self.substrate(), load=HERTZ_LOAD)
-            changes = {"indentation of a dry contact": dry.indentation - 1}
-        else:
-            dry = dry_contact_at(self.substrate(), indentation=1.0)
-            changes = {"load of a dry contact": dry.load / HERTZ_LOAD - 1}
+        substrate = self.substrate()
+        assert isinstance(substrate, Layer)
+        dry, changes = dry_effect(substrate, by_load=self.load is not None)
         if self.pressure_viscosity is None:
             from softlube import curve
 
@@ -471,11 +304,7 @@ class Contact:
             thick = half_space.dimensional(curve.quantities(half_space.problem()))
             names = {"film_center": "film at the centre", "film_min": "minimum film", "friction_domain": "friction"}
             changes |= {text: dimensional[name] / thick[name] - 1 for name, text in names.items()}
-        if max(abs(change) for change in changes.values()) <= LARGEST_LAYER_EFFECT:
-            return []
-        effects = ", ".join(f"{text} {100 * change:+.2g} %" for text, change in changes.items())
-        thickness = self.thickness / (dry.radius * self.unit_length)  # type: ignore[operator]
-        return [f"the layer is {thickness:.2g} contact radii thick; compared with a half-space that changes: {effects}"]
+        return layer_doubt(dry, substrate, changes)
 
     def inputs(self) -> dict[str, float | str | None]:
         """The inputs in SI, as stored with a solution."""

@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from softlube.contact import to_si
 from softlube.errors import InputError, NotConvergedError
 from softlube.master import WIDEST, Curve, check_friction, curve
 from softlube.measurements import Measurements
+from softlube.units import to_si
 
 Array = NDArray[np.floating]
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from softlube.contact import Contact, to_si
+from softlube.contact import Contact
 from softlube.errors import InputError
 from softlube.problem import Cavitation
+from softlube.units import to_si
 
 
 @dataclass(frozen=True, init=False)

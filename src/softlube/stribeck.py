@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from softlube.contact import to_si
 from softlube.errors import InputError
 from softlube.master import Curve, check_friction, curve
 from softlube.rig import Rig, hertz_force
+from softlube.units import to_si
 
 if TYPE_CHECKING:
     import pandas

@@ -16,8 +16,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.contact import KINDS, unit_factor
 from softlube.errors import InputError
+from softlube.units import KINDS, unit_factor
 
 Array = NDArray[np.floating]
 

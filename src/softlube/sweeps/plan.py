@@ -14,10 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from softlube.contact import KINDS, Contact, to_si
+from softlube.contact import Contact
 from softlube.errors import InputError
 from softlube.problem import Problem
 from softlube.tables import read_table
+from softlube.units import KINDS, to_si
 
 COMBINATIONS = ("product", "zip")
 DIMENSIONLESS = ("beta", "beta_load")

@@ -7,10 +7,11 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from softlube.contact import KINDS, UNITS
+from softlube.contact import UNITS
 from softlube.errors import InputError
 from softlube.files import check_destination, whole_file
 from softlube.solution import Quantity
+from softlube.units import KINDS
 
 if TYPE_CHECKING:
     import pandas
