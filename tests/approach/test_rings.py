@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
-from softlube.approach.rings import SqueezeFilm, half_space_rings
+from softlube.approach.rings import SqueezeFilm
 from softlube.elasticity import elastic_operator
+from softlube.fluids import Barus, Newtonian, Roelands
 from softlube.grid import PolarGrid
 from softlube.limits import hertz_pressure
+from softlube.substrates import HalfSpace, Layer
 
 GRID = PolarGrid(n_r=96, n_theta=6, layer=0.1, reach=60)
 
@@ -62,8 +64,9 @@ def test_height_follows_from_the_load():
 
 
 @pytest.mark.parametrize("control", ["load", "height"])
-def test_derivative_of_the_flux_is_exact(control):
-    film = SqueezeFilm.on(GRID, control)
+@pytest.mark.parametrize("fluid", [Newtonian(), Barus(2.0), Roelands(2.0, 0.6, 5.0)], ids=lambda fluid: fluid.kind)
+def test_derivative_of_the_flux_is_exact(control, fluid):
+    film = SqueezeFilm.on(GRID, control, fluid=fluid)
     r = film.grid.r[: film.n]
     lift = 0.5 + 0.3 * np.exp(-(r**2))
     step = 1e-5 * np.cos(3 * r) * np.exp(-r)
@@ -83,9 +86,24 @@ def test_volume_within_a_radius_grows_by_the_flux_at_its_edge(film):
     assert film.volume_weights(film.n) @ np.exp(-(film.grid.r[: film.n] ** 2)) == pytest.approx(np.pi, rel=1e-5)
 
 
-def test_an_elastic_operator_of_the_plane_serves_as_well():
-    """What a substrate has to offer is what `ElasticOperator` has."""
-    plane = SqueezeFilm.on(GRID, "load", lambda grid: elastic_operator(grid, "none"))
-    rings = SqueezeFilm.on(GRID, "load", half_space_rings)
-    assert plane.pressure_by_lift == pytest.approx(rings.pressure_by_lift, rel=1e-8, abs=1e-8)
-    assert plane.load_weights == pytest.approx(rings.load_weights)
+@pytest.mark.parametrize("substrate", [HalfSpace(), Layer(0.7), Layer(0.7, 0.3, "frictionless")], ids=str)
+def test_rings_are_the_plane_s_first_harmonic(substrate):
+    """The deflection is that of the steady solver's operator."""
+    plane = elastic_operator(GRID, "none", substrate.ring_kernels)
+    rings = SqueezeFilm.on(GRID, "load", substrate)
+    assert rings.compliance == pytest.approx(plane.radial[0], rel=1e-8, abs=1e-8)
+    p = np.exp(-(GRID.r**2))
+    even = np.repeat(p, GRID.shape[1])
+    assert rings.compliance @ p == pytest.approx(plane.deflection(even).reshape(GRID.shape)[:, 0], rel=1e-9)
+    assert rings.load(p) == pytest.approx(float(plane.load_weights @ even), rel=1e-9)
+
+
+@pytest.mark.parametrize("alpha", [0.5, 2.0])
+def test_barus_under_a_rigid_sphere(alpha):
+    """With q = (1 − e^(−αp))/α the equation is that of constant viscosity: p = −ln(1 − αq)/α with Taylor's q = V/(4h²)."""
+    film = SqueezeFilm.on(GRID, "height", fluid=Barus(alpha))
+    h = 0.7 + film.parabola
+    p = -np.log1p(-alpha * 0.3 / (4 * h**2)) / alpha
+    fluidity, _ = film.fluid.fluidity(film.midpoint @ p)
+    flux = film.conductance * fluidity * (film.midpoint @ h) ** 3 * (film.slope @ p)
+    assert film.rate(flux)[:-2] == pytest.approx(-0.3, rel=5e-4)

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
 from softlube.approach.motion import Motion
-from softlube.approach.rings import SqueezeFilm, Substrate, half_space_rings
+from softlube.approach.rings import SqueezeFilm
 from softlube.errors import InputError, NotConvergedError
 from softlube.grid import PolarGrid
 
@@ -140,7 +140,6 @@ def integrate(
     rings: int | PolarGrid,
     tolerance: float,
     film_limit: float = 0.0,
-    substrate: Substrate = half_space_rings,
     progress: Callable[[str], None] | None = None,
 ) -> Run:
     """Follow the film through a motion.
@@ -148,15 +147,13 @@ def integrate(
     Parameters
     ----------
     motion : Motion
-        What moves the sphere.
+        What moves the sphere, and over what.
     rings : int or PolarGrid
         Rings of the grid that suits the motion, or a grid.
     tolerance : float
         Relative error of the film allowed in a time step.
     film_limit : float
         Minimum film at which to stop.
-    substrate : callable
-        Makes the elastic operator of a grid.
     progress : callable, optional
         Called with a line of text now and then.
 
@@ -174,7 +171,7 @@ def integrate(
     linear in this unknown, to round-off.
     """
     grid = motion.grid(rings) if isinstance(rings, int) else rings
-    film = SqueezeFilm.on(grid, motion.control, substrate)
+    film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.fluid)
     n = film.n
     parabola = film.parabola[:n]
     added = np.minimum(parabola, 2 * grid.edge**2)  # to the lift

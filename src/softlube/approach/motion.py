@@ -1,18 +1,21 @@
-"""What moves the sphere: a load or a height as a function of time, normalised as in `softlube.approach.rings`."""
+"""What moves the sphere, and over what: a load or a height in time, normalised as in `softlube.approach.rings`."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from softlube.approach.rings import Control, SqueezeFilm
-from softlube.errors import InputError
+from softlube.dry import DryContact, dry_contact_at
+from softlube.errors import InputError, NotConvergedError
+from softlube.fluids import Fluid, Newtonian
 from softlube.grid import PolarGrid
-from softlube.limits import HERTZ_LOAD
+from softlube.substrates import HalfSpace, Substrate
 
 Array = NDArray[np.floating]
 
@@ -44,6 +47,10 @@ class Motion:
         End of the history.
     longest_step : float
         No time step is longer, so that none leaps over a feature of the history.
+    substrate : Substrate
+        What the sphere moves over; lengths over √(R × unit of height).
+    fluid : Fluid
+        The law of the viscosity; pressures over 4πG√(unit of height/R).
     """
 
     control: Control
@@ -51,6 +58,8 @@ class Motion:
     initial_height: float
     duration: float
     longest_step: float = np.inf
+    substrate: Substrate = field(default_factory=HalfSpace)
+    fluid: Fluid = field(default_factory=Newtonian)
 
     def __post_init__(self) -> None:
         if self.control not in ("load", "height"):
@@ -64,32 +73,62 @@ class Motion:
         if self.control == "load" and not np.any(self.samples):
             raise InputError("load: zero all the time; nothing moves the sphere")
 
-    @property
+    @cached_property
     def samples(self) -> Array:
         """The history at evenly spaced times."""
         return np.array([float(self.drive(t)) for t in np.linspace(0, self.duration, SAMPLES)])
 
-    @property
-    def lowest_height(self) -> float:
-        """Lowest h₀ on the way, as far as it can be told beforehand.
+    def in_units(self, unit: float) -> Motion:
+        """The same motion normalised with another unit of height, given over the present one."""
+        clock, size = unit**1.5, unit**-1.5 if self.control == "load" else 1 / unit
+        return replace(
+            self,
+            drive=lambda t: size * self.drive(t / clock),
+            initial_height=self.initial_height / unit,
+            duration=self.duration * clock,
+            longest_step=self.longest_step * clock,
+            substrate=self.substrate.in_units(unit),
+            fluid=self.fluid.in_units(unit),
+        )
 
-        Under a load: where a rigid sphere comes to, sinking by Taylor's law like exp(−(2/π) ∫N dt), or the dry contact under
-        the largest load where that is reached before.
+    @cached_property
+    def deepest(self) -> DryContact | None:
+        """The dry contact at the lowest height, None for a sphere that stays above the undeformed surface.
+
+        Under a load: the one under the largest load, unless a rigid sphere, sinking by Taylor's law, does not come so far.
         """
         samples = self.samples
         if self.control == "height":
-            return float(samples.min())
-        indentation = float((max(samples.max(), 0.0) / HERTZ_LOAD) ** (2 / 3))
-        impulse = self.duration * float(np.mean(np.maximum(samples, 0.0)))
-        rigid = self.initial_height * float(np.exp(-min(2 * impulse / np.pi, 50.0)))
-        return rigid if rigid > indentation else -indentation
+            lowest = float(samples.min())
+            return dry_contact_at(self.substrate, indentation=-lowest) if lowest < 0 else None
+        largest = float(samples.max())
+        dry = dry_contact_at(self.substrate, load=largest) if largest > 0 else None
+        return dry if dry is not None and self._rigid_height <= dry.indentation else None
+
+    @property
+    def _rigid_height(self) -> float:
+        """Where a rigid sphere comes to under a load, like exp(−(2/π) ∫N dt)."""
+        impulse = self.duration * float(np.mean(np.maximum(self.samples, 0.0)))
+        return self.initial_height * float(np.exp(-min(2 * impulse / np.pi, 50.0)))
+
+    @property
+    def lowest_height(self) -> float:
+        """Lowest h₀ on the way, as far as it can be told beforehand: that of `deepest`, or a rigid sphere's."""
+        if self.control == "height":
+            return float(self.samples.min())
+        return self._rigid_height if self.deepest is None else -self.deepest.indentation
 
     def first_pressure(self, film: SqueezeFilm) -> Array:
         """Pressure at the start, on all rings.
 
         A sphere that comes down has done so from afar: the pressure is what drives the liquid out from under it at the speed
-        (or with the load) of the start, −u³ ∂p/∂r = V r/2 with the film that this pressure makes; Taylor's p = V/(4u²) where
+        (or with the load) of the start, −φu³ ∂p/∂r = V r/2 with the film that this pressure makes; Taylor's p = V/(4u²) where
         the substrate hardly yields.  A sphere that is to be pulled away stands still at first: p = 0.
+
+        Raises
+        ------
+        NotConvergedError
+            If the liquid thickens so much that no pressure drives it out.
         """
         start = float(self.drive(0.0))
         instant = 1e-6 * self.duration
@@ -100,7 +139,8 @@ class Motion:
         pressure = np.zeros_like(film.parabola)
         for _ in range(LARGEST_ITERATIONS):
             u = self.initial_height + film.parabola + film.compliance @ pressure
-            spline = CubicSpline(grid.xi, speed * grid.r * grid.dr_dxi(grid.r) / (2 * u**3)).antiderivative()
+            mobility = 2 * film.fluid.fluidity(pressure)[0] * u**3
+            spline = CubicSpline(grid.xi, speed * grid.r * grid.dr_dxi(grid.r) / mobility).antiderivative()
             driven = spline(grid.xi[-1]) - spline(grid.xi) + speed / (4 * u[-1] ** 2)
             if self.control == "load":
                 driven *= start / film.load(driven)
@@ -108,8 +148,10 @@ class Motion:
             # p goes like u⁻³, so a full step would overshoot threefold where the deflection makes most of the film.
             pressure = pressure + DAMPING * change
             if np.max(np.abs(change)) < 1e-10 * np.max(pressure):
-                break
-        return pressure
+                return pressure
+        raise NotConvergedError(
+            "no pressure was found that drives the liquid out at the start: the viscosity rises too steeply with the pressure"
+        )
 
     def yielding(self) -> float:
         """About the largest share of the film by which the substrate yields, from Taylor's pressure at the start and lowest.
@@ -119,7 +161,7 @@ class Motion:
         lowest = self.lowest_height
         if lowest <= 0:
             return np.inf
-        film = SqueezeFilm.on(self.grid(64), self.control)
+        film = SqueezeFilm.on(self.grid(64), self.control, self.substrate)
         steps = np.diff(self.samples) * (SAMPLES - 1) / self.duration
         shares = []
         for height in (self.initial_height, lowest):
@@ -130,15 +172,16 @@ class Motion:
 
     def grid(self, n_r: int) -> PolarGrid:
         """Rings that suit the history: dense at the largest contact's edge, or within √(2h₀) of a sphere that stays above."""
-        lowest = self.lowest_height
-        edge = np.sqrt(max(-lowest, 2 * lowest, 0.05 * self.initial_height))
-        if lowest > 0:
+        dry, lowest = self.deepest, self.lowest_height
+        edge = np.sqrt(max(2 * lowest, 0.05 * self.initial_height))
+        if dry is None:
             layer = 0.5
-        elif self.control == "height":
-            layer = LAYER_MOVING
         else:
-            # The time in units of the load's own, for which the edge is at 1.
-            layer = np.clip(NECK * (self.duration * edge**3) ** NECK_EXPONENT, THINNEST_LAYER, LAYER)
+            edge = max(edge, dry.radius)
+            # The time in units of the load's own, for which a half-space's edge is at 1: near its edge every contact is like
+            # Hertz's of the same p/√(a − r).
+            narrowing = NECK * (self.duration * (edge * dry.edge) ** 3) ** NECK_EXPONENT
+            layer = LAYER_MOVING if self.control == "height" else np.clip(narrowing, THINNEST_LAYER, LAYER)
         reach = REACH * max(
             1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge
         )

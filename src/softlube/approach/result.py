@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from softlube.approach.integrate import HISTORIES, Run, integrate
 from softlube.approach.motion import Motion
-from softlube.approach.rings import Substrate, half_space_rings
 from softlube.errors import InputError, NotConvergedError
 from softlube.solution import Quantity
 
@@ -171,7 +170,6 @@ def follow(
     *,
     accuracy: float = 1e-3,
     film_limit: float = 0.0,
-    substrate: Substrate = half_space_rings,
     progress: Callable[[str], None] | None = None,
 ) -> Squeeze:
     """Follow a motion, normalised, on ever finer grids until the films are as accurate as asked for.
@@ -179,13 +177,11 @@ def follow(
     Parameters
     ----------
     motion : Motion
-        What moves the sphere.
+        What moves the sphere, and over what.
     accuracy : float
         Relative error of the films aimed at, at every time.
     film_limit : float
         Minimum film at which to stop.
-    substrate : callable
-        Makes the elastic operator of a grid; the half-space unless another is given.
     progress : callable, optional
         Called with a line of text now and then.
 
@@ -216,9 +212,7 @@ def follow(
     tolerance = TOLERANCE * accuracy
 
     def run(rings: int, tolerance: float) -> Run:
-        return integrate(
-            motion, rings=rings, tolerance=tolerance, film_limit=film_limit, substrate=substrate, progress=progress
-        )
+        return integrate(motion, rings=rings, tolerance=tolerance, film_limit=film_limit, progress=progress)
 
     yielding = motion.yielding()
     if yielding < RIGID * tolerance:

@@ -3,7 +3,9 @@
 Normalised as in Eq. (4) with the time in units of T = 3ηR^{3/2}/(πG H^{3/2}) (H is the unit of height), the equations have no
 parameter:
 
-    ∂u/∂t = (1/r) ∂(r u³ ∂p/∂r)/∂r,      u = h₀ + r²/2 + K p.
+    ∂u/∂t = (1/r) ∂(r φu³ ∂p/∂r)/∂r,      u = h₀ + r²/2 + K p,
+
+but those of the substrate in K and of the fluidity φ(p), 1 for constant viscosity.
 
 The film on the nodes is the unknown, less the parabola: the lift l = u − r²/2 = h₀ + K p, which keeps what a nearly rigid
 sphere's small deflections say from drowning in r²/2.  It gives the pressure by p = K⁻¹(l − h₀), and h₀ under a given load N
@@ -12,16 +14,17 @@ by ∫p dA = N, both linear.  So no algebraic equation is left for the time inte
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from softlube.elasticity import radial_operators
+from softlube.fluids import Fluid, Newtonian
 from softlube.grid import RIM, PolarGrid
 from softlube.reynolds import ReynoldsOperator
+from softlube.substrates import HalfSpace, Substrate
 
 Array = NDArray[np.floating]
 Control = Literal["load", "height"]
@@ -30,38 +33,6 @@ DECAY = 4
 """Far outside the film is the parabola and the flux that of a falling disc, so p → V/r⁴ (V speed of descent)."""
 ANGLES = 6
 """Angular intervals of the grid from which the rings are taken; any number does."""
-
-
-class Elastic(Protocol):
-    """What is needed of a substrate: see `softlube.elasticity.ElasticOperator`."""
-
-    @property
-    def radial(self) -> Array:
-        """Ring operators of the harmonics, of which the first is used, shape (≥ 1, N, N)."""
-        ...
-
-    @property
-    def load_weights(self) -> Array:
-        """Weights of ∫p dA on the nodes, angles innermost, shape (N × angles,)."""
-        ...
-
-
-Substrate = Callable[[PolarGrid], Elastic]
-"""Makes the elastic operator of a grid."""
-
-
-@dataclass(frozen=True)
-class ElasticRings:
-    """The axisymmetric part of an elastic operator; an `Elastic` with one angle."""
-
-    radial: Array
-    load_weights: Array
-
-
-def half_space_rings(grid: PolarGrid) -> ElasticRings:
-    """The half-space, Eq. (6b), for pressures that depend on r only."""
-    kernels, weights = radial_operators(grid, 1)
-    return ElasticRings(kernels, 2 * np.pi * weights)
 
 
 @dataclass(frozen=True)
@@ -91,6 +62,8 @@ class SqueezeFilm:
         Metric factor of u³∂p on the faces.
     cell : ndarray, shape (n,)
         Measure of the cells: 2π ∑ cell u is the liquid's volume, and what the fluxes conserve.
+    fluid : Fluid
+        Its fluidity is taken at the pressure on the faces.
     """
 
     grid: PolarGrid
@@ -109,20 +82,23 @@ class SqueezeFilm:
     divergence: Array
     conductance: Array
     cell: Array
+    fluid: Fluid
 
     @classmethod
-    def on(cls, grid: PolarGrid, control: Control, substrate: Substrate = half_space_rings) -> SqueezeFilm:
-        """Build the equations of a grid (only its radii are used) over a substrate."""
+    def on(
+        cls, grid: PolarGrid, control: Control, substrate: Substrate | None = None, fluid: Fluid | None = None
+    ) -> SqueezeFilm:
+        """Build the equations of a grid (only its radii are used); a half-space and constant viscosity where not given."""
         grid = grid.resized(grid.n_r, ANGLES)
-        n, n_all = grid.n_r, grid.shape[0]
-        elastic = substrate(grid)
+        n = grid.n_r
+        kernels, measure = radial_operators(grid, 1, (substrate or HalfSpace()).ring_kernels)
 
         # Beyond the last ring the pressure falls like r⁻⁴.  Its load is counted, its deflection (of order reach⁻³) is not.
         extend = np.vstack([np.eye(n), np.zeros((RIM, n))])
         extend[n:, -1] = (grid.r[n - 1] / grid.r[n:]) ** DECAY
-        weights = elastic.load_weights.reshape(n_all, -1).sum(axis=1)
+        weights = 2 * np.pi * measure
         weights[-1] += 2 * np.pi * grid.r[-1] ** 2 / (DECAY - 2)
-        compliance = elastic.radial[0] @ extend
+        compliance = kernels[0] @ extend
         stiffness = np.linalg.inv(compliance[:n])
         punch, own_weights = stiffness.sum(axis=1), weights @ extend
         if control == "load":
@@ -156,13 +132,14 @@ class SqueezeFilm:
             height_by_drive=float(height_by_drive),
             rim_by_lift=compliance[n:] @ by_film + height_by_lift,
             rim_by_drive=compliance[n:] @ by_drive + height_by_drive,
-            compliance=elastic.radial[0],
+            compliance=kernels[0],
             load_weights=weights,
             slope=rings(operator.slope[0].toarray()),
             midpoint=rings(operator.midpoint[0].toarray()),
             divergence=divergence,
             conductance=operator.conductance[0].reshape(-1, angles)[:, 0] / spin,
             cell=cell,
+            fluid=fluid or Newtonian(),
         )
 
     @property
@@ -191,18 +168,25 @@ class SqueezeFilm:
         return height + (self.compliance @ pressure)[: self.n]
 
     def flux(self, lift: Array, drive: float) -> Array:
-        """Flux r u³ ∂p/∂r on the faces: the inflow, over 2π."""
+        """Flux r φu³ ∂p/∂r on the faces: the inflow, over 2π."""
         film_face = self.midpoint @ self.whole_film(lift, drive)
-        return self.conductance * film_face**3 * (self.slope @ self.pressure(lift, drive))
+        pressure = self.pressure(lift, drive)
+        fluidity, _ = self.fluid.fluidity(self.midpoint @ pressure)
+        return self.conductance * fluidity * film_face**3 * (self.slope @ pressure)
 
     def flux_derivative(self, lift: Array, drive: float) -> Array:
         """∂flux/∂u, exact, shape (faces, n)."""
         film_face = self.midpoint @ self.whole_film(lift, drive)
-        slope = self.slope @ self.pressure(lift, drive)
+        pressure = self.pressure(lift, drive)
+        fluidity, thickening = self.fluid.fluidity(self.midpoint @ pressure)
+        slope, mobility = self.slope @ pressure, self.conductance * film_face**3
         n = self.n
         film_part = self.midpoint[:, :n] + self.midpoint[:, n:] @ self.rim_by_lift
-        by_pressure = (self.conductance * film_face**3)[:, None] * (self.slope @ self.pressure_by_lift)
-        return by_pressure + (3 * self.conductance * film_face**2 * slope)[:, None] * film_part
+        by_pressure = (mobility * fluidity)[:, None] * self.slope
+        if np.any(thickening):
+            by_pressure = by_pressure + (mobility * thickening * slope)[:, None] * self.midpoint
+        by_film = (3 * self.conductance * fluidity * film_face**2 * slope)[:, None] * film_part
+        return by_pressure @ self.pressure_by_lift + by_film
 
     def rate(self, flux: Array) -> Array:
         """∂u/∂t on the n rings from the fluxes (or its derivatives, from theirs)."""
