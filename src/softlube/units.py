@@ -102,6 +102,25 @@ def unit_factor(name: str, unit: str) -> float:
     return to_si(name, f"1 {unit}") if unit.strip() else to_si(name, "1")
 
 
+def in_unit(name: str, value: object, unit: str, example: str) -> float:
+    """A finite quantity of any sign in a unit; text, pint quantity, or a number already in it."""
+    import pint
+
+    try:
+        if isinstance(value, str):
+            quantity: Any = pint.get_application_registry().Quantity(value.strip())
+            number = float(quantity.to(unit).magnitude)
+        elif hasattr(value, "to") and hasattr(value, "magnitude"):
+            number = float(value.to(unit).magnitude)  # type: ignore[union-attr]
+        else:
+            number = float(value)  # type: ignore[arg-type]
+    except Exception:  # pint's parser raises whatever the text provokes
+        raise InputError(f"{name}: cannot read {value!r}; expected {example}") from None
+    if not math.isfinite(number):
+        raise InputError(f"{name}: expected a finite quantity, {example}; got {value!s}")
+    return number
+
+
 def _checked(name: str, number: float, given: object) -> float:
     signed = name in SIGNED
     if not math.isfinite(number) or (number <= 0 and not signed):

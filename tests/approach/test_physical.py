@@ -81,7 +81,7 @@ def test_suction_beyond_the_atmosphere_is_warned_of():
         ({"radius": None}, "radius: missing"),
         ({"load": None}, "all missing"),
         ({"approach_speed": "1 um/s"}, "load, approach_speed: given together"),
-        ({"shear_modulus": "1 MPa"}, "young_modulus, shear_modulus: given together"),
+        ({"shear_modulus": "1 MPa"}, "young_modulus, shear_modulus: are both given"),
         ({"initial_height": None}, "initial_height: missing"),
         ({"initial_height": "-1 um"}, "initial_height: expected a positive"),
         ({"initial_height": "1 s"}, "initial_height: '?1 s'? has the wrong dimension"),

@@ -21,7 +21,7 @@ COMPARED = ("height", "film_center", "film_min", "friction_contact", "pressure_m
 
 @pytest.mark.parametrize("cavitation", ["reynolds", "none"])
 def test_steady_sliding_is_the_long_time_limit(cavitation):
-    run = start_sliding(BETA, initial_height=1.0, duration=8 * BETA, cavitation=cavitation, n_theta=12, tolerance=3e-3)
+    run = start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 8 * BETA), cavitation=cavitation, n_theta=12, tolerance=3e-3)
     problem = Problem(beta_load=BETA, cavitation=cavitation)  # type: ignore[arg-type]
     steady = solve_level(problem, grid_for(problem, 12), None).level.values
     late = measure(run.fields[-1])
@@ -32,7 +32,7 @@ def test_steady_sliding_is_the_long_time_limit(cavitation):
 
 def test_steady_sliding_to_the_accuracy_of_the_steady_solver():
     """On the default grid, from a film squeezed thinner than the steady one."""
-    run = start_sliding(BETA, initial_height=1.0, pressed=3000.0, duration=6 * BETA, tolerance=3e-3)
+    run = start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 6 * BETA), pressed=3000.0, tolerance=3e-3)
     steady = softlube.solve(beta_load=BETA)
     late = measure(run.fields[-1])
     assert run.film_center[0] < 0.5 * steady.film_center
@@ -42,7 +42,7 @@ def test_steady_sliding_to_the_accuracy_of_the_steady_solver():
 
 def test_very_slow_sliding_is_a_squeeze_film():
     """β → ∞: the plane and the rings, two integrators, one film."""
-    run = start_sliding(1e7, initial_height=1.0, duration=30.0, n_theta=18, tolerance=3e-4)
+    run = start_sliding(1e7, constant_load(HERTZ_LOAD, 1.0, 30.0), n_theta=18, tolerance=3e-4)
     rings = integrate(constant_load(HERTZ_LOAD, 1.0, 30.0), rings=128, tolerance=1e-7)
     expected = rings.histories(run.time)
     assert run.film_center == pytest.approx(expected["film_center"], rel=3e-3)
@@ -50,13 +50,13 @@ def test_very_slow_sliding_is_a_squeeze_film():
 
 
 def test_tolerance_changes_the_film_little():
-    loose, tight = (start_sliding(BETA, initial_height=1.0, duration=BETA, n_theta=12, tolerance=t) for t in (1e-3, 5e-4))
+    loose, tight = (start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, BETA), n_theta=12, tolerance=t) for t in (1e-3, 5e-4))
     assert np.interp(tight.time, loose.time, loose.height)[-1] == pytest.approx(tight.height[-1], abs=5e-4)
     assert loose.film_center[-1] == pytest.approx(tight.film_center[-1], rel=5e-3)
 
 
 def test_pressure_stays_positive_and_carries_the_load():
-    run = start_sliding(BETA, initial_height=1.0, duration=0.5 * BETA, n_theta=12, tolerance=3e-3)
+    run = start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 0.5 * BETA), n_theta=12, tolerance=3e-3)
     for fields in run.fields[1:]:
         assert fields.pressure.min() >= 0
         assert fields.film.min() > 0
@@ -77,6 +77,6 @@ def test_mass_is_the_measure_of_the_plane():
 
 def test_refused():
     with pytest.raises(InputError, match="tolerance"):
-        start_sliding(BETA, initial_height=1.0, duration=1.0, tolerance=0.0)
+        start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 1.0), tolerance=0.0)
     with pytest.raises(InputError, match="initial_height"):
-        start_sliding(BETA, initial_height=-1.0, duration=1.0)
+        start_sliding(BETA, constant_load(HERTZ_LOAD, -1.0, 1.0))

@@ -9,6 +9,7 @@ from typing import Any
 
 import xarray as xr
 
+from softlube import fluids, substrates
 from softlube.approach.result import DESCRIPTION, DIMENSION, Squeeze
 
 
@@ -38,13 +39,15 @@ def to_dataset(result: Squeeze) -> xr.Dataset:
         data[name] = ("time", values * volume, {"long_name": text, "units": unit("volume")})
     summary = result.to_dict()
     attributes = {
-        "title": "Normal approach of a rigid sphere to an elastic half-space through a film",
+        "title": "Normal approach of a rigid sphere to an elastic substrate through a film",
         "softlube_version": version("softlube"),
         "ended_by": summary["ended_by"],
         "accuracy": result.accuracy,
         "volume_error": summary["volume_error"],
         "rings": json.dumps(summary["rings"]),
         "warnings": json.dumps(summary["warnings"]),
+        "substrate": json.dumps(substrates.to_plain(result.run.motion.substrate)),
+        "fluid": json.dumps(fluids.to_plain(result.run.motion.fluid)),
     }
     if result.setup is not None:
         attributes["inputs_SI"] = json.dumps(asdict(result.setup))

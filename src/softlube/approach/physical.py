@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import csv
-import math
 import os
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -15,8 +14,18 @@ from numpy.typing import NDArray
 
 from softlube.approach.motion import Motion, constant_load, constant_speed, history
 from softlube.approach.result import Squeeze, follow, interpreted
-from softlube.contact import KINDS, LARGEST_FILM_REYNOLDS, LARGEST_SLOPE, to_si
 from softlube.errors import InputError
+from softlube.materials import (
+    LARGEST_FILM_REYNOLDS,
+    LARGEST_SLOPE,
+    MATERIALS,
+    Materials,
+    dry_effect,
+    layer_doubt,
+    read_materials,
+)
+from softlube.substrates import Layer
+from softlube.units import in_unit, to_si
 
 Array = NDArray[np.floating]
 
@@ -24,6 +33,8 @@ LIKE = {"approach_speed": "speed", "initial_height": "thickness", "film_limit": 
 """Inputs of this module and the contact's input that is read the same way."""
 ATMOSPHERE = 101325.0
 """Absolute pressure around the contact [Pa], for a warning."""
+WAYS = ("load", "approach_speed", "height", "history")
+"""Ways to say how the sphere is moved."""
 COLUMNS = {"load": "N", "height": "m"}
 STEPS_OF_A_FUNCTION = 400
 """Time steps at least through a history given as a function, whose features are not known."""
@@ -36,25 +47,6 @@ def si(name: str, value: object) -> float:
         return to_si(kind, value)
     except InputError as error:
         raise InputError(name + str(error).removeprefix(kind)) from None
-
-
-def in_unit(name: str, value: object, unit: str, example: str) -> float:
-    """A finite quantity of any sign in a unit; text, pint quantity, or a number already in it."""
-    import pint
-
-    try:
-        if isinstance(value, str):
-            quantity: Any = pint.get_application_registry().Quantity(value.strip())
-            number = float(quantity.to(unit).magnitude)
-        elif hasattr(value, "to") and hasattr(value, "magnitude"):
-            number = float(value.to(unit).magnitude)  # type: ignore[union-attr]
-        else:
-            number = float(value)  # type: ignore[arg-type]
-    except Exception:  # pint's parser raises whatever the text provokes
-        raise InputError(f"{name}: cannot read {value!r}; expected {example}") from None
-    if not math.isfinite(number):
-        raise InputError(f"{name}: expected a finite quantity, {example}; got {value!s}")
-    return number
 
 
 def read_history(path: str | os.PathLike[str]) -> tuple[str, Array, Array]:
@@ -97,27 +89,23 @@ def read_history(path: str | os.PathLike[str]) -> tuple[str, Array, Array]:
 
 
 @dataclass(frozen=True)
-class Setup:
-    """The physical input in SI, and the scales of the normalisation.
+class Setup(Materials):
+    """The physical input in SI, and the height that it is normalised with.
 
     Attributes
     ----------
-    radius, shear_modulus, viscosity, density : float
-        R, G, η, ρ.
     unit_height : float
-        Height H that is 1 when normalised: the Hertz indentation of the largest load, or the initial height.
+        Height H that is 1 when normalised: the indentation of a half-space under the largest load, Eq. (29), or the initial
+        height [m].
     control : {"load", "height"}
     description : str
         How the sphere is moved.
     initial_height, duration : float
+        In m and s.
     film_limit : float
-        0 if not given.
+        0 if not given [m].
     """
 
-    radius: float
-    shear_modulus: float
-    viscosity: float
-    density: float
     unit_height: float
     control: str
     description: str
@@ -126,43 +114,48 @@ class Setup:
     film_limit: float
 
     @property
-    def scales(self) -> dict[str, tuple[float, str]]:
+    def units(self) -> dict[str, tuple[float, str]]:
         """SI value and unit of each unit of the normalised problem; docs/squeeze.md."""
-        height, length = self.unit_height, math.sqrt(self.radius * self.unit_height)
-        pressure = 4 * math.pi * self.shear_modulus * math.sqrt(height / self.radius)
-        return {
-            "height": (height, "m"),
-            "length": (length, "m"),
-            "pressure": (pressure, "Pa"),
-            "load": (pressure * length**2, "N"),
-            "time": (12 * self.viscosity * self.radius / (height * pressure), "s"),
-            "volume": (length**2 * height, "m^3"),
-        }
+        return self.scales(self.unit_height)
 
-    def doubts(self, result: Squeeze) -> tuple[str, ...]:
-        """Warnings where the model may not describe the experiment."""
+    def doubts(self, time: Array, history: Callable[[str], Array]) -> tuple[str, ...]:
+        """Warnings where the model may not describe the experiment.
+
+        Parameters
+        ----------
+        time : ndarray
+            In s.
+        history : callable
+            Gives "height", "film_center", "pressure_min" and "pressure_max" at these times, in SI.
+        """
         doubts = []
-        radius = math.sqrt(self.radius * max(-float(result.history("height").min()), 0.0))
+        height = history("height")
+        depth = max(-float(height.min()), 0.0)
+        suction = -float(history("pressure_min").min())
+        layer: list[str] = []
+        radius = (self.radius * depth) ** 0.5
+        substrate = self.substrate_for(self.unit_height)
+        if depth > 0 and isinstance(substrate, Layer):
+            dry, changes = dry_effect(substrate, by_load=self.control == "load", depth=depth / self.unit_height)
+            radius = dry.radius * self.units["length"][0]
+            layer = layer_doubt(dry, substrate, changes)
         if radius > LARGEST_SLOPE * self.radius:
             doubts.append(
                 f"the contact radius reaches {radius / self.radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and the "
                 f"parabolic sphere are in doubt"
             )
-        suction = -float(result.history("pressure_min").min())
         if suction > ATMOSPHERE:
             doubts.append(
                 f"the pressure falls {suction:.3g} Pa below the surroundings', more than the atmosphere's 1.01e5 Pa: the "
                 f"liquid would cavitate, which is not modelled here"
             )
-        height, time = result.history("height"), result.time
         speed = float(np.max(np.abs(np.diff(height) / np.diff(time))))
-        film = float(result.history("film_center").max())
-        reynolds = self.density * speed * film / self.viscosity
+        reynolds = self.density * speed * float(history("film_center").max()) / self.viscosity
         if reynolds > LARGEST_FILM_REYNOLDS:
             doubts.append(
                 f"the film's Reynolds number rho V u/eta reaches {reynolds:.2g}, not small: inertia is neglected here"
             )
-        return tuple(doubts)
+        return (*doubts, *layer, *self.thickening_doubt(float(history("pressure_max").max())))
 
 
 def squeeze(
@@ -179,20 +172,27 @@ def squeeze(
     duration: object = None,
     film_limit: object = None,
     density: object = 1000.0,
+    thickness: object = None,
+    poisson_ratio: object = 0.5,
+    base: str = "bonded",
+    pressure_viscosity: object = None,
+    viscosity_law: str = "barus",
     accuracy: float = 1e-3,
     progress: Callable[[str], None] | None = None,
 ) -> Squeeze:
-    """Press a rigid sphere through a liquid film onto a soft half-space, or pull it away; no sliding.
+    """Press a rigid sphere through a liquid film onto a soft half-space or layer, or pull it away; no sliding.
 
     Quantities take text with a unit, a pint quantity, or a number in SI.  Give exactly one of `young_modulus` and
     `shear_modulus`, and exactly one of `load`, `approach_speed`, `height` and `history`.
 
     Parameters
     ----------
-    radius, viscosity
-        Radius of the sphere, dynamic viscosity of the liquid.
-    young_modulus, shear_modulus
-        E or G = E/3 of the substrate (ν = 1/2).
+    radius, viscosity, young_modulus, shear_modulus, density
+        Of the sphere, the liquid and the substrate, as for `softlube.Contact`.
+    thickness, poisson_ratio, base
+        Of the substrate, a layer on a rigid base if its thickness is given, as for `softlube.Contact`.
+    pressure_viscosity, viscosity_law
+        Of the liquid, as for `softlube.Contact`.
     load
         Constant load, or a function of the time [s] that gives it [N].
     approach_speed
@@ -207,8 +207,6 @@ def squeeze(
         How long to follow; left out for a file, which ends by itself.
     film_limit
         Minimum film at which to stop, for instance the roughness.
-    density
-        Of the liquid, for a warning.
     accuracy
         Relative error of the films aimed at, at every time.
     progress
@@ -237,37 +235,52 @@ def squeeze(
     >>> round(fall.final["film_center"] * 1e9), round(fall.final["film_min"] * 1e9)  # nm
     (397, 198)
     """
-    for name, value in (("radius", radius), ("viscosity", viscosity)):
-        if value is None:
-            raise InputError(f"{name}: missing; expected {KINDS[name][1]}")
-    _exactly_one({"young_modulus": young_modulus, "shear_modulus": shear_modulus})
-    ways = {"load": load, "approach_speed": approach_speed, "height": height, "history": history}
-    _exactly_one(ways)
-    big, eta, rho = si("radius", radius), si("viscosity", viscosity), si("density", density)
-    modulus = si("shear_modulus", shear_modulus) if young_modulus is None else si("young_modulus", young_modulus) / 3
-    limit = 0.0 if film_limit is None else si("film_limit", film_limit)
+    given = {name: value for name, value in locals().items() if name not in ("accuracy", "progress")}
+    setup, motion = read_motion(given)
+    limit = setup.film_limit / setup.unit_height
+    return interpreted(follow(motion, accuracy=accuracy, film_limit=limit, progress=progress), setup)
 
-    table = read_history(history) if history is not None else None
+
+def read_motion(given: Mapping[str, Any]) -> tuple[Setup, Motion]:
+    """The physical input in SI, and the normalised motion.
+
+    Parameters
+    ----------
+    given : mapping of str to object
+        Arguments of `squeeze`.
+
+    Raises
+    ------
+    InputError
+        If an input is missing, contradictory or impossible.
+    """
+    materials = Materials(**read_materials(**{name: given[name] for name in MATERIALS}))
+    ways = {name: given[name] for name in WAYS}
+    _exactly_one(ways)
+    load, height = given["load"], given["height"]
+    limit = 0.0 if given["film_limit"] is None else si("film_limit", given["film_limit"])
+
+    table = read_history(given["history"]) if given["history"] is not None else None
     starts_itself = height is not None or (table is not None and table[0] == "height")
-    for name, value, unwanted in (("initial_height", initial_height, starts_itself), ("duration", duration, table is not None)):
-        if unwanted and value is not None:
+    for name, kind, unwanted in (("initial_height", "length", starts_itself), ("duration", "time", table is not None)):
+        if unwanted and given[name] is not None:
             raise InputError(f"{name}: the history has its own; leave it out")
-        if not unwanted and value is None:
-            raise InputError(f"{name}: missing; expected {'a length' if name == 'initial_height' else 'a time'} with its unit")
-    end = float(table[1][-1]) if table is not None else in_unit("duration", duration, "s", "a time such as '10 s'")
+        if not unwanted and given[name] is None:
+            raise InputError(f"{name}: missing; expected a {kind} with its unit")
+    end = float(table[1][-1]) if table is not None else in_unit("duration", given["duration"], "s", "a time such as '10 s'")
     if not end > 0:
-        raise InputError(f"duration: expected a positive time, got {duration or end!s}")
+        raise InputError(f"duration: expected a positive time, got {given['duration'] or end!s}")
     function = height if height is not None else load if callable(load) else None
     if starts_itself:
         first = float(height(0.0)) if height is not None else float(table[2][0])  # type: ignore[index]
         if not first > 0:
             raise InputError(f"height: expected a history that starts above the surface, got {first:.3g} m at time 0")
     else:
-        first = si("initial_height", initial_height)
+        first = si("initial_height", given["initial_height"])
 
     speed = 0.0
-    if approach_speed is not None:
-        speed = in_unit("approach_speed", approach_speed, "m/s", "a speed such as '10 um/s', or '-10 um/s'")
+    if given["approach_speed"] is not None:
+        speed = in_unit("approach_speed", given["approach_speed"], "m/s", "a speed such as '10 um/s', or '-10 um/s'")
         if speed == 0:
             raise InputError("approach_speed: zero; nothing moves the sphere")
     if table is not None:
@@ -279,14 +292,10 @@ def squeeze(
     loaded = load is not None or (table is not None and table[0] == "load")
     if loaded and not largest > 0:
         raise InputError("load: expected a history that presses at some time; got no positive load")
-    unit = (3 * largest / (16 * modulus * math.sqrt(big))) ** (2 / 3) if loaded else first  # Eq. (29)
 
     setup = Setup(
-        radius=big,
-        shear_modulus=modulus,
-        viscosity=eta,
-        density=rho,
-        unit_height=unit,
+        **asdict(materials),
+        unit_height=materials.hertz_indentation(largest) if loaded else first,
         control="load" if loaded else "height",
         description=next(
             f"{name} {value}" if isinstance(value, str) else name for name, value in ways.items() if value is not None
@@ -295,9 +304,7 @@ def squeeze(
         duration=end,
         film_limit=limit,
     )
-    motion = _motion(setup, speed, largest, table, function)
-    result = follow(motion, accuracy=accuracy, film_limit=limit / unit, progress=progress)
-    return interpreted(result, setup)
+    return setup, _motion(setup, speed, largest, table, function)
 
 
 def _exactly_one(choices: dict[str, object]) -> None:
@@ -315,20 +322,22 @@ def _motion(
     function: Callable[[float], float] | None,
 ) -> Motion:
     """The normalised motion."""
-    unit, time = setup.unit_height, setup.scales["time"][0]
-    scale = setup.scales["load" if setup.control == "load" else "height"][0]
+    unit, time = setup.unit_height, setup.units["time"][0]
+    scale = setup.units["load" if setup.control == "load" else "height"][0]
     start, end = setup.initial_height / unit, setup.duration / time
     if table is not None:
-        return history(table[0], table[1] / time, table[2] / scale, start)  # type: ignore[arg-type]
-    if function is not None:
+        motion = history(table[0], table[1] / time, table[2] / scale, start)  # type: ignore[arg-type]
+    elif function is not None:
         given = function
-        return Motion(
+        motion = Motion(
             setup.control,  # type: ignore[arg-type]
             lambda t: float(given(t * time)) / scale,
             start,
             end,
             longest_step=end / STEPS_OF_A_FUNCTION,
         )
-    return (
-        constant_load(load / scale, start, end) if setup.control == "load" else constant_speed(speed * time / unit, start, end)
-    )
+    elif setup.control == "load":
+        motion = constant_load(load / scale, start, end)
+    else:
+        motion = constant_speed(speed * time / unit, start, end)
+    return replace(motion, substrate=setup.substrate_for(unit), fluid=setup.fluid_for(unit))

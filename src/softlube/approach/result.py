@@ -84,7 +84,7 @@ class Squeeze:
         """SI value and unit of the normalised unit of "time", "length", "height", "pressure", "load" or "volume"."""
         if self.setup is None:
             return 1.0, ""
-        return self.setup.scales[kind]
+        return self.setup.units[kind]
 
     @property
     def time(self) -> Array:
@@ -218,7 +218,7 @@ def follow(
     if yielding < RIGID * tolerance:
         raise InputError(
             f"shear_modulus: the substrate yields by {yielding:.1e} of the film at most, which is nothing at this accuracy; "
-            f"Taylor's law for a rigid sphere holds, load = 6 pi eta R^2 V/h"
+            f"Taylor's law for a rigid sphere holds, load = 6 pi eta R^2 V/h (constant viscosity)"
         )
     coarsest = coarse = run(LADDER[0], tolerance)
     loose = run(LADDER[0], 4 * tolerance)
@@ -264,4 +264,4 @@ def _compared(fine: Run, coarse: Run, tolerances: tuple[Run, Run], accuracy: flo
 def interpreted(result: Squeeze, setup: Setup) -> Squeeze:
     """A normalised result with its physical input and the doubts about it."""
     result = replace(result, setup=setup)
-    return replace(result, warnings=setup.doubts(result))
+    return replace(result, warnings=setup.doubts(result.time, result.history))

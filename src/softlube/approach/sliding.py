@@ -1,6 +1,6 @@
-"""A sphere that starts to slide under a load: the transient in the plane, with the cavitation condition.
+"""A sphere that starts to slide: the transient in the plane, with the cavitation condition.
 
-In the frame of the sphere, normalised as in `softlube.approach.rings` with the Hertz indentation of the load as unit,
+In the frame of the sphere, normalised as in `softlube.approach.rings`,
 
     ∂u/∂t + R(p, u) ≥ 0,     p ≥ 0,     p (∂u/∂t + R) = 0,     R = −∇·(u³∇p) − (1/β) ∂u/∂x,
 
@@ -15,6 +15,7 @@ from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,9 +28,10 @@ from softlube.elasticity import rim_slice
 from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
 from softlube.limits import HERTZ_LOAD
-from softlube.meshing import grid_for
+from softlube.meshing import grid_for, unit_for
 from softlube.newton import newton
-from softlube.problem import Problem
+from softlube.problem import Cavitation, Problem
+from softlube.quantities import measure
 from softlube.reynolds import Sparse
 from softlube.solver import fields_of
 from softlube.system import ContactSystem, LinearisedContact
@@ -39,12 +41,14 @@ Array = NDArray[np.floating]
 MILNE = 2 / 11
 """Error of BDF2 over its difference from the quadratic extrapolation, for equal steps."""
 FIRST_STEP = 1e-3
-"""Of the time in which a rigid sphere sinks by its own height."""
+"""Of the time in which a rigid sphere sinks by its own height, about, or of the duration."""
 LONGEST_GROWTH, SAFETY = 1.6, 0.85
 JUDGED_RADIUS = 3.0
 """Radius, over the contact's, within which the error of a step is judged."""
 NEWTON_TOLERANCE = 1e-2
 """Of Newton's method in a step, over the tolerance of the step."""
+LIMIT_MET = 0.1
+"""Relative distance from the film limit that counts as met, over the tolerance of a step."""
 
 
 def mass_matrix(system: ContactSystem) -> Sparse:
@@ -64,15 +68,48 @@ def mass_matrix(system: ContactSystem) -> Sparse:
     return Sparse(sparse.hstack([inner, sparse.csr_array((n, grid.r.size * n_angles - n))]))
 
 
-def descending(system: ContactSystem, speed: float, height: float) -> ContactSystem:
-    """The system with what a descent adds to the far field: Taylor's p = V/(4h²) at the rim, its deflection, its load beyond.
+def deepest_problem(beta: float, motion: Motion, cavitation: str) -> tuple[Problem, float]:
+    """Steady sliding under the largest load or at the lowest height, whose mesh serves for the way there.
 
-    A sphere one unit of height above the surface has half a percent of its load beyond the steady solver's rim.
+    Parameters
+    ----------
+    beta : float
+        β with the motion's unit of height.
+    motion : Motion
+        Load or height.
+    cavitation : {"reynolds", "none"}
+        Of the problem.
+
+    Returns
+    -------
+    problem : Problem
+        What it slides like there.
+    unit : float
+        Its unit of height over the motion's.
+    """
+    parameters: dict[str, Any] = {}
+    if motion.control == "load":
+        unit = float((motion.samples.max() / HERTZ_LOAD) ** (2 / 3))
+        parameters["beta_load"] = beta * unit**2
+    else:
+        lowest = float(motion.samples.min())
+        unit = abs(lowest) or 1.0
+        parameters |= {"beta": beta * unit**2, "height": int(np.sign(lowest))}
+    models: dict[str, Any] = {"substrate": motion.substrate.in_units(unit), "fluid": motion.fluid.in_units(unit)}
+    return Problem(**parameters, **models, cavitation=cavitation), unit  # type: ignore[arg-type]
+
+
+def at_instant(system: ContactSystem, prescribed: float, speed: float, height: float) -> ContactSystem:
+    """The system with the load or the height of an instant, and what a descent adds to the far field.
+
+    That is Taylor's p = V/(4h²) at the rim, its deflection, its load beyond: a sphere one unit of height above the surface has
+    half a percent of its load beyond the steady solver's rim.
     """
     grid, rim = system.grid, rim_slice(system.grid)
     speed = max(speed, 0.0) if system.problem.cavitation == "reynolds" else speed
     taylor = np.repeat(speed / (4 * (height + grid.r[grid.n_r :] ** 2 / 2) ** 2), grid.shape[1])
     other = copy(system)
+    other.prescribed = prescribed
     other.rim_pressure = system.rim_pressure + np.outer([1, 0], taylor)
     deflection = system.substrate.deflection(np.concatenate([np.zeros(grid.n_unknown), taylor]))
     other.film_offset = system.film_offset + np.outer([1, 0], deflection)
@@ -91,9 +128,9 @@ class LinearisedStep(LinearisedContact):
 
     @cached_property
     def residual(self) -> Array:
-        """Reynolds residual with the film's rate, then the load's defect."""
+        """Reynolds residual with the film's rate, then the load's defect under load control."""
         growth = self.mass @ (self.weight * self.film + self.known)
-        return super().residual + np.append(growth, 0.0)
+        return super().residual + (np.append(growth, 0.0) if self.system.problem.load_controlled else growth)
 
     @cached_property
     def _derivatives(self) -> tuple[Sparse, Sparse]:
@@ -122,14 +159,16 @@ class SlidingStart:
     time : ndarray, shape (k,)
         Accepted steps, the start included.
     fields : tuple of Fields
-        Normalised with the Hertz indentation of the load.
+        Normalised like the motion.
     rejected : int
         Steps that were taken back.
+    ended_by : {"duration", "film_limit"}
     """
 
     time: Array
     fields: tuple[Fields, ...]
     rejected: int
+    ended_by: str
 
     @property
     def height(self) -> Array:
@@ -163,34 +202,34 @@ def _difference(times: list[float], films: list[Array], time: float) -> tuple[fl
 
 
 def start_sliding(
-    beta_load: float,
+    beta: float,
+    motion: Motion,
     *,
-    initial_height: float,
-    duration: float,
     pressed: float = 0.0,
-    cavitation: str = "reynolds",
+    cavitation: Cavitation = "reynolds",
     n_theta: int = 18,
     tolerance: float = 1e-3,
+    film_limit: float = 0.0,
     progress: Callable[[str], None] | None = None,
 ) -> SlidingStart:
-    """Follow a sphere that comes down under its load and slides from time 0 on, or from a later time.
+    """Follow a sphere that is moved towards the substrate, or away, and slides from time 0 on.
 
     Parameters
     ----------
-    beta_load : float
-        β with the Hertz indentation of the load, Eq. (30); 1/β is the speed.
-    initial_height : float
-        Height over the undeformed surface at the start, over the Hertz indentation, positive.
-    duration : float
-        Of the sliding, in units of 16ηR²/(πN).  Liquid takes about 2β to pass through the contact.
+    beta : float
+        β with the motion's unit of height, Eq. (6d) or (30); 1/β is the speed.
+    motion : Motion
+        The load or the height from the start of the sliding on.  Liquid takes about 2β to pass through the contact.
     pressed : float
-        How long the sphere is pressed without sliding before; time 0 is the start of the sliding.
+        How long the sphere is pressed before, without sliding, by the load that it has at time 0.
     cavitation : {"reynolds", "none"}
         Reynolds condition, or negative pressures allowed.
     n_theta : int
         Angular intervals of the grid, that of the steady solver.
     tolerance : float
         Relative error of the film allowed in a time step.
+    film_limit : float
+        Minimum film at which to stop.
     progress : callable, optional
         Called with a line of text after each step.
 
@@ -205,52 +244,79 @@ def start_sliding(
     -----
     At the rim the pressure is that of steady sliding and of the descent in the step before.
     """
-    problem = Problem(beta_load=beta_load, cavitation=cavitation)  # type: ignore[arg-type]
+    by_load = motion.control == "load"
     if not 0 < tolerance <= 0.1:
         raise InputError(f"tolerance: expected a number from 0 to 0.1, got {tolerance!r}")
-    motion = Motion("load", lambda _: HERTZ_LOAD, initial_height, duration)
+    if by_load and cavitation == "reynolds" and np.min(motion.samples) <= 0:
+        raise InputError("load: not positive all the time; under the Reynolds condition the film cannot pull at the sphere")
+    if pressed and not by_load:
+        raise InputError("pressed: a sphere is pressed by a load; with its height given it only waits, so leave it out")
+    problem, deepest = deepest_problem(beta, motion, cavitation)
+    scale = unit_for(problem)
+    unit = deepest * scale
+    motion = motion.in_units(unit)
     grid = grid_for(problem, n_theta)
-    system = ContactSystem(problem, grid)
+    system = ContactSystem(problem, grid, scale)
     mass = mass_matrix(system)
-    rings, height = motion.first_pressure(SqueezeFilm.on(grid, "load")), initial_height
+    film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.fluid)
+    rings, height = motion.first_pressure(film), motion.initial_height
     if pressed:
-        before = integrate(
-            replace(motion, duration=pressed), rings=grid, tolerance=min(1e-3 * tolerance, 1e-6), progress=progress
-        )
+        first = motion.drive(0.0)
+        held = replace(motion, drive=lambda _: first, duration=pressed * unit**1.5)
+        before = integrate(held, rings=grid, tolerance=min(1e-3 * tolerance, 1e-6), progress=progress)
         rings, height = before.pressures[-1], float(before.heights[-1])
-    x = np.append(np.repeat(rings[: grid.n_r], grid.shape[1]), height)
+    x = np.repeat(rings[: grid.n_r], grid.shape[1])
+    if by_load:
+        x = np.append(x, height)
     descent = 4 * float(rings[-1]) * (height + grid.r[-1] ** 2 / 2) ** 2
-    own = descending(system, descent, height)
+    own = at_instant(system, motion.drive(0.0), descent, height)
     inside = np.repeat(grid.r < JUDGED_RADIUS, grid.shape[1])
+    limit = film_limit / unit
 
-    times, states, films, fields = [0.0], [x], [own.film(x)], [fields_of(own, x)]
-    step, rejected = min(FIRST_STEP * initial_height, duration), 0
-    while times[-1] < duration * (1 - 1e-12):
-        step = min(step, duration - times[-1])
+    def told(own: ContactSystem, x: Array) -> Fields:
+        return fields_of(own, x).in_units(1 / deepest)
+
+    times, states, films, fields = [0.0], [x], [own.film(x)], [told(own, x)]
+    least = measure(fields[0])["film_min"] / unit if limit else np.inf
+    if least <= limit:
+        raise InputError(f"film_limit: the film starts at {least / limit:.3g} of the limit, not above it")
+    step = min(FIRST_STEP * min(motion.initial_height * unit**2.5, motion.duration), motion.longest_step)
+    rejected, ended_by = 0, "duration"
+    while times[-1] < motion.duration * (1 - 1e-12) and ended_by == "duration":
+        step = min(step, motion.duration - times[-1], motion.longest_step)
         time = times[-1] + step
         guess = _extrapolated(times, states, time)
         guess[system.constrained] = np.maximum(guess[system.constrained], 0.0)
-        own = descending(system, descent, float(states[-1][-1]))
+        own = at_instant(system, motion.drive(time), descent, height)
         if np.min(own.film(guess)) <= 0:
             guess = states[-1]
         solved = newton(Step(own, mass, *_difference(times, films, time)), guess, tolerance=NEWTON_TOLERANCE * tolerance)
-        film = own.film(solved.x)
-        error = MILNE * float(np.max(np.abs(film - _extrapolated(times, films, time))[inside] / film[inside]))
+        film_now = own.film(solved.x)
+        error = MILNE * float(np.max(np.abs(film_now - _extrapolated(times, films, time))[inside] / film_now[inside]))
         # Without a past the extrapolation is too poor to judge by: the first two steps are short and taken as they are.
         judged = len(times) > 2
         if not solved.converged or (judged and error > tolerance):
             rejected += 1
             step *= 0.3 if not solved.converged else max(0.2, SAFETY * (tolerance / error) ** (1 / 3))
-            if step < 1e-12 * duration:
-                raise NotConvergedError(f"the time integration failed at {times[-1] / duration:.3g} of the time")
+            if step < 1e-12 * motion.duration:
+                raise NotConvergedError(f"the time integration failed at {times[-1] / motion.duration:.3g} of the time")
             continue
-        descent = float(states[-1][-1] - solved.x[-1]) / step
+        now = told(own, solved.x)
+        if limit:
+            thinner = measure(now)["film_min"] / unit
+            if thinner < limit * (1 - LIMIT_MET * tolerance):
+                # Back to where the chord between both films passes the limit.
+                step *= (least - limit) / (least - thinner)
+                continue
+            least = thinner
+            ended_by = "film_limit" if thinner <= limit * (1 + LIMIT_MET * tolerance) else "duration"
+        descent, height = (height - own.height(solved.x)) / step, own.height(solved.x)
         times.append(time)
-        fields.append(fields_of(own, solved.x))
+        fields.append(now)
         states.append(solved.x)
-        films.append(film)
+        films.append(film_now)
         if judged:
             step *= min(LONGEST_GROWTH, SAFETY * (tolerance / max(error, 1e-12)) ** (1 / 3))
         if progress is not None:
-            progress(f"sliding: {100 * time / duration:.3g} % of the time, step {len(times) - 1}")
-    return SlidingStart(np.array(times), tuple(fields), rejected)
+            progress(f"sliding: {100 * time / motion.duration:.3g} % of the time, step {len(times) - 1}")
+    return SlidingStart(np.array(times) / unit**1.5, tuple(fields), rejected, ended_by)
