@@ -60,11 +60,15 @@ def test_command(capsys, tmp_path):
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        ({"load": None}, "load: missing"),
-        ({"load": lambda t: 1.0}, "constant load"),
+        ({"load": None}, "load, .*: all missing"),
+        ({"speed": None}, "speed: missing"),
+        ({"load": lambda t: 0.1 * np.cos(100 * t)}, "not positive all the time"),
         ({"duration": None}, "duration: missing"),
         ({"initial_height": "0 m"}, "initial_height"),
-        ({"pressed": "-1 s"}, "duration, pressed"),
+        ({"pressed": "-1 s"}, "pressed"),
+        ({"load": None, "approach_speed": "1 um/s", "pressed": "1 s"}, "pressed: a sphere is pressed by a load"),
+        ({"film_limit": "150 um"}, "film_limit"),
+        ({"cavitation": "jfo"}, "cavitation"),
         ({"accuracy": 1e-6}, "accuracy"),
         ({"speed": "-1 m/s"}, "speed"),
     ],

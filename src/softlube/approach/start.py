@@ -5,21 +5,25 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import asdict, dataclass
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
-from softlube.approach.physical import in_unit, si
+from softlube import fluids, substrates
+from softlube.approach.physical import Setup, read_motion, si
 from softlube.approach.sliding import SlidingStart, start_sliding
-from softlube.contact import Contact
 from softlube.errors import InputError, NotConvergedError
+from softlube.problem import Cavitation
 from softlube.quantities import measure
 from softlube.solution import Quantity
+from softlube.units import KINDS, in_unit
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from xarray import Dataset
 
 Array = NDArray[np.floating]
@@ -38,6 +42,7 @@ DESCRIPTION = {
     "load": "load",
     "friction_domain": "friction over r ≤ 2a",
 }
+"""Where the height is prescribed a = √(R × the initial height), under a load √(R × the Hertz indentation of the largest)."""
 KIND = {name: name.split("_")[0] for name in DESCRIPTION} | {"film_center": "height", "film_min": "height"}
 
 
@@ -47,51 +52,82 @@ class Slide:
 
     Attributes
     ----------
-    contact : Contact
-        The input.
+    setup : Setup
+        The input, but for the sliding.
+    sliding : mapping of str to object
+        Speed, time that the sphere is pressed before, cavitation condition.
     run : SlidingStart
-        The finest integration, normalised with the Hertz indentation of the load.
+        The finest integration, normalised with the setup's unit of height.
     time : ndarray, shape (k,)
         Time since the start of the sliding [s].
     histories, errors : mapping of str to ndarray, shape (k,)
         `DESCRIPTION` lists them, with estimates of |value − exact|.
+    time_error : float
+        Estimated error of the time at which the film limit was reached; 0 where it was not [s].
     angles : tuple of int
         Angular intervals of the grids that were used.
+    accuracy : float
+        Relative accuracy asked of the films.
     """
 
-    contact: Contact
+    setup: Setup
+    sliding: Mapping[str, Any]
     run: SlidingStart
     time: Array
     histories: Mapping[str, Array]
     errors: Mapping[str, Array]
+    time_error: float
     angles: tuple[int, ...]
+    accuracy: float
 
     @property
     def final(self) -> dict[str, Quantity]:
         """The last values with their errors."""
-        scales = _scales(self.contact)
-        return {name: Quantity(self.histories[name][-1], self.errors[name][-1], scales[KIND[name]][1]) for name in DESCRIPTION}
+        units = self.setup.units
+        return {name: Quantity(self.histories[name][-1], self.errors[name][-1], units[KIND[name]][1]) for name in DESCRIPTION}
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Doubts about the physics."""
+
+        def history(name: str) -> Array:
+            if name != "pressure_min":
+                return self.histories[name]
+            return self.setup.units["pressure"][0] * np.array([fields.pressure.min() for fields in self.run.fields])
+
+        return self.setup.doubts(self.time, history)
 
     @property
     def dataset(self) -> Dataset:
         """Film and pressure on (time, r, theta), 0 ≤ θ ≤ π from the inlet, and the histories."""
         import xarray as xr
 
-        scales, first = _scales(self.contact), self.run.fields[0]
+        units, first = self.setup.units, self.run.fields[0]
         coordinates = {
             "time": ("time", self.time, {"long_name": "time since the start of the sliding", "units": "s"}),
-            "r": ("r", first.r * self.contact.unit_length, {"long_name": "distance from the axis", "units": "m"}),
+            "r": ("r", first.r * units["length"][0], {"long_name": "distance from the axis", "units": "m"}),
             "theta": ("theta", first.theta, {"long_name": "angle from the inlet", "units": "rad"}),
         }
         data: dict[str, tuple[Any, ...]] = {}
         for name, kind in (("film", "height"), ("pressure", "pressure")):
-            values = np.array([getattr(fields, name) for fields in self.run.fields]) * scales[kind][0]
-            data[name] = (("time", "r", "theta"), values, {"long_name": name, "units": scales[kind][1]})
+            values = np.array([getattr(fields, name) for fields in self.run.fields]) * units[kind][0]
+            data[name] = (("time", "r", "theta"), values, {"long_name": name, "units": units[kind][1]})
         for name, text in DESCRIPTION.items():
-            unit = scales[KIND[name]][1]
+            unit = units[KIND[name]][1]
             data[name] = ("time", self.histories[name], {"long_name": text, "units": unit})
             data[name + "_error"] = ("time", self.errors[name], {"long_name": f"error of the {text}", "units": unit})
-        attributes = {"title": "Start of sliding under a load", "inputs_SI": json.dumps(self.contact.inputs())}
+        height = self.setup.unit_height
+        attributes = {
+            "title": "Start of sliding",
+            "softlube_version": version("softlube"),
+            "ended_by": self.run.ended_by,
+            "accuracy": self.accuracy,
+            "angles": json.dumps(self.angles),
+            "warnings": json.dumps(self.warnings),
+            "substrate": json.dumps(substrates.to_plain(self.setup.substrate_for(height))),
+            "fluid": json.dumps(fluids.to_plain(self.setup.fluid_for(height))),
+            "inputs_SI": json.dumps(asdict(self.setup) | dict(self.sliding)),
+        }
         return xr.Dataset(data, coords=coordinates, attrs=attributes)
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -101,28 +137,24 @@ class Slide:
         with whole_file(check_destination("output", path)) as temporary:
             self.dataset.to_netcdf(temporary, engine="h5netcdf")
 
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
+        """Film and pressure along the direction of sliding at some times, and the histories."""
+        from softlube.approach.picture import sliding_picture
+
+        return sliding_picture(self, path)
+
     def to_dict(self) -> dict[str, Any]:
         """Final values and what was done, ready for JSON."""
         return {
-            "time": float(self.time[-1]),
+            "ended_by": self.run.ended_by,
+            "time": {"value": float(self.time[-1]), "error": self.time_error},
             "final": {name: {"value": float(q), "error": q.error, "unit": q.unit} for name, q in self.final.items()},
+            "accuracy": self.accuracy,
             "angles": list(self.angles),
             "steps": self.time.size,
             "rejected_steps": self.run.rejected,
+            "warnings": list(self.warnings),
         }
-
-
-def _scales(contact: Contact) -> dict[str, tuple[float, str]]:
-    """SI value and unit of each normalised unit."""
-    height, length = contact.unit_height, contact.unit_length
-    pressure = 4 * np.pi * contact.shear_modulus * np.sqrt(height / contact.radius)
-    return {
-        "height": (height, "m"),
-        "pressure": (pressure, "Pa"),
-        "load": (pressure * length**2, "N"),
-        "friction": (2 * np.pi / 3 * contact.shear_modulus * height**2, "N"),
-        "time": (12 * contact.viscosity * contact.radius / (height * pressure), "s"),
-    }
 
 
 def slide(
@@ -131,29 +163,41 @@ def slide(
     young_modulus: object = None,
     shear_modulus: object = None,
     viscosity: object = None,
-    load: object = None,
     speed: object = None,
+    load: object = None,
+    approach_speed: object = None,
+    height: Callable[[float], float] | None = None,
+    history: str | os.PathLike[str] | None = None,
     initial_height: object = None,
     duration: object = None,
-    pressed: object = 0.0,
+    film_limit: object = None,
+    pressed: object = None,
     cavitation: str = "reynolds",
+    density: object = 1000.0,
+    thickness: object = None,
+    poisson_ratio: object = 0.5,
+    base: str = "bonded",
+    pressure_viscosity: object = None,
+    viscosity_law: str = "barus",
     accuracy: float = 2e-2,
     progress: Callable[[str], None] | None = None,
 ) -> Slide:
-    """Follow a sphere that is pressed onto a soft half-space by a constant load and starts to slide.
+    """Follow a sphere that is moved through a film as by `softlube.squeeze` and slides from time 0 on.
 
     Quantities take text with a unit, a pint quantity, or a number in SI.
 
     Parameters
     ----------
-    radius, young_modulus, shear_modulus, viscosity, load, speed, cavitation
-        As for `softlube.Contact`; the load is constant.
-    initial_height
-        Height of the lowest point over the undeformed surface at the start.
-    duration
-        How long to follow the sliding.
+    radius, young_modulus, shear_modulus, viscosity, density, thickness, poisson_ratio, base, pressure_viscosity, viscosity_law
+        As for `softlube.squeeze`.
+    load, approach_speed, height, history, initial_height, duration, film_limit
+        Likewise; times count from the start of the sliding.
+    speed
+        Of the sliding.
     pressed
-        How long the sphere is pressed without sliding before.
+        How long the sphere is pressed by the load of time 0, without sliding, before.
+    cavitation
+        "reynolds" (no negative pressure) or "none".
     accuracy
         Relative error of the films aimed at, at every time.
     progress
@@ -166,59 +210,61 @@ def slide(
     NotConvergedError
         If the accuracy is not reached.
     """
-    if callable(load):
-        raise InputError("load, speed: a sphere that slides takes a constant load")
-    if load is None:
-        raise InputError("load: missing; a sphere that slides takes a constant load")
+    own = ("speed", "pressed", "cavitation", "accuracy", "progress")
+    setup, motion = read_motion({name: value for name, value in locals().items() if name not in own})
     if not FINEST_ACCURACY <= accuracy <= COARSEST_ACCURACY:
         raise InputError(
             f"accuracy: expected a number from {FINEST_ACCURACY:g} to {COARSEST_ACCURACY:g} with sliding, got {accuracy!r}"
         )
-    for name, value in (("initial_height", initial_height), ("duration", duration)):
-        if value is None:
-            raise InputError(f"{name}: missing; expected {'a length' if name == 'initial_height' else 'a time'} with its unit")
-    contact = Contact(
-        radius=radius,
-        young_modulus=young_modulus,
-        shear_modulus=shear_modulus,
-        viscosity=viscosity,
-        load=load,
-        speed=speed,
-        cavitation=cavitation,
-    )
-    scales = _scales(contact)
-    clock = scales["time"][0]
-    times = {
-        name: in_unit(name, value, "s", "a time such as '10 s'")
-        for name, value in (("duration", duration), ("pressed", pressed))
-    }
-    if not times["duration"] > 0 or times["pressed"] < 0:
-        raise InputError(f"duration, pressed: expected positive times, got {duration!s} and {pressed!s}")
-    height = si("initial_height", initial_height) / contact.unit_height
+    if speed is None:
+        raise InputError(f"speed: missing; expected {KINDS['speed'][1]}")
+    if cavitation not in get_args(Cavitation):
+        raise InputError(f"cavitation: expected 'reynolds' or 'none', got {cavitation!r}")
+    waited = 0.0 if pressed is None else in_unit("pressed", pressed, "s", "a time such as '10 s'")
+    if waited < 0:
+        raise InputError(f"pressed: expected a positive time, got {pressed!s}")
+    velocity = si("speed", speed)
+    beta = setup.beta(setup.unit_height, velocity)
+    units = {name: value for name, (value, _) in setup.units.items()}
 
     def run(n_theta: int) -> tuple[SlidingStart, dict[str, Array]]:
         started = start_sliding(
-            contact.problem().parameter,
-            initial_height=height,
-            duration=times["duration"] / clock,
-            pressed=times["pressed"] / clock,
-            cavitation=cavitation,
+            beta,
+            motion,
+            pressed=waited / units["time"],
+            cavitation=cavitation,  # type: ignore[arg-type]
             n_theta=n_theta,
             # a coarser grid with longer steps, so that their difference tells of both
             tolerance=TOLERANCE * accuracy * (LADDER[1] / n_theta) ** 2,
+            film_limit=setup.film_limit / setup.unit_height,
             progress=progress,
         )
         values = [measure(fields) for fields in started.fields]
-        return started, {name: np.array([v[name] for v in values]) * scales[KIND[name]][0] for name in DESCRIPTION}
+        return started, {name: np.array([v[name] for v in values]) * units[KIND[name]] for name in DESCRIPTION}
 
     coarse, before = run(LADDER[0])
     worst = np.inf
     for step, n_theta in enumerate(LADDER[1:], 2):
-        fine, own = run(n_theta)
-        same = {name: PchipInterpolator(coarse.time, before[name])(fine.time) for name in DESCRIPTION}
-        errors = {name: np.abs(own[name] - same[name]) for name in DESCRIPTION}
-        worst = max(float(np.max(errors[name] / own[name])) for name in JUDGED)
+        fine, histories = run(n_theta)
+        # Where the film limit ended the runs, they end at slightly different times.
+        end = min(coarse.time[-1], fine.time[-1])
+        both = np.minimum(fine.time, end)
+        errors = {}
+        for name, values in histories.items():
+            here = PchipInterpolator(fine.time, values)(both)
+            errors[name] = np.abs(here - PchipInterpolator(coarse.time, before[name])(both))
+        worst = max(float(np.max(errors[name] / histories[name])) for name in JUDGED)
         if worst <= accuracy:
-            return Slide(contact, fine, fine.time * clock, own, errors, LADDER[:step])
-        coarse, before = fine, own
+            return Slide(
+                setup=setup,
+                sliding={"speed": velocity, "pressed": waited, "cavitation": cavitation},
+                run=fine,
+                time=fine.time * units["time"],
+                histories=histories,
+                errors=errors,
+                time_error=float(abs(fine.time[-1] - coarse.time[-1])) * units["time"],
+                angles=LADDER[:step],
+                accuracy=accuracy,
+            )
+        coarse, before = fine, histories
     raise NotConvergedError(f"the film is known to {worst:.1e} only, not to {accuracy:.1e}; ask for less")
