@@ -40,7 +40,11 @@ def test_json_and_film_limit(capsys):
         ([*BALL, "--load", "1 N", "--duration", "1 s"], "--initial-height"),
         ([*FALL, "--plot", "a.bmp"], "--plot"),
         ([*FALL, "--output", "nowhere/a.nc"], "--output"),
-        ([*FALL, "--thickness", "1 mm"], "--thickness"),
+        ([*FALL, "--thickness", "1 N"], "--thickness"),
+        ([*FALL, "--base", "frictionless"], "--base, --thickness"),
+        ([*FALL, "--poisson-ratio", "0.6"], "--poisson-ratio"),
+        ([*FALL, "--thickness", "1 mm", "--base", "glued"], "--base"),
+        ([*FALL, "--viscosity-law", "roelands"], "--viscosity-law, --pressure-viscosity"),
     ],
 )
 def test_refused_with_a_reason(capsys, arguments, text):

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import App, CycloptsError, Group, Parameter
 
+from softlube.commands.inputs import Physical, Sliding
+
 if TYPE_CHECKING:
     from rich.table import Table
 
@@ -38,32 +40,17 @@ app.command("softlube.commands.sweep:sweep", name="sweep", help="Solve many cont
 app.command("softlube.commands.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")
 app.command("softlube.commands.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")
 
-_PHYSICAL = Group("Physical contact (text with units, such as '2 mm')", sort_key=1)
 _DIMENSIONLESS = Group("Dimensionless contact", sort_key=2)
 _METHOD = Group("Method", sort_key=3)
 _OUTPUT = Group("Output", sort_key=4)
-
-# A negative number is a value, to be refused with the reason, and not an option.
-Physical = Annotated[str | None, Parameter(group=_PHYSICAL, allow_leading_hyphen=True)]
 
 
 @app.command
 def solve(
     *,
-    radius: Physical = None,
-    young_modulus: Physical = None,
-    shear_modulus: Physical = None,
-    viscosity: Physical = None,
-    speed: Physical = None,
-    load: Physical = None,
-    indentation: Physical = None,
+    contact: Sliding | None = None,
     roughness: Physical = None,
-    thickness: Physical = None,
     density: Physical = None,
-    poisson_ratio: Physical = None,
-    base: Physical = None,
-    pressure_viscosity: Physical = None,
-    viscosity_law: Physical = None,
     beta: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
     beta_load: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
     cavitation: Annotated[str, Parameter(group=_METHOD)] = "reynolds",
@@ -81,34 +68,12 @@ def solve(
 
     Parameters
     ----------
-    radius
-        Radius of the sphere, such as "2 mm".
-    young_modulus
-        Young's modulus of the substrate, such as "3 MPa".
-    shear_modulus
-        Shear modulus instead, such as "1 MPa".
-    viscosity
-        Dynamic viscosity of the liquid, such as "2 Pa s".
-    speed
-        Sliding speed, such as "0.1 mm/s".
-    load
-        Normal load, such as "100 mN".
-    indentation
-        Depth of the sphere's lowest point below the undeformed surface instead, such as "50 um"; "-1 um" is a gap.
+    contact
+        The sliding sphere.
     roughness
         Roughness height; a film below it is warned of.
-    thickness
-        Thickness of the substrate, a layer on a rigid base, such as "2 mm" [default: a half-space].
     density
         Density of the liquid, for the warning of inertia [default: 1000 kg/m^3].
-    poisson_ratio
-        Poisson's ratio of the substrate, 0 to 0.5 [default: 0.5].
-    base
-        How a layer lies on its base, "bonded" or "frictionless" [default: bonded].
-    pressure_viscosity
-        Pressure-viscosity coefficient, such as "20 GPa^-1" [default: constant viscosity].
-    viscosity_law
-        "barus" or "roelands" [default: barus].
     beta
         β = (2/3)(h0²/R) πG/(ηv) of a given indentation.
     beta_load
@@ -130,23 +95,8 @@ def solve(
     """
     from softlube.errors import InputError
 
-    physical = {
-        "radius": radius,
-        "young_modulus": young_modulus,
-        "shear_modulus": shear_modulus,
-        "viscosity": viscosity,
-        "speed": speed,
-        "load": load,
-        "indentation": indentation,
-        "roughness": roughness,
-        "thickness": thickness,
-        "density": density,
-        "poisson_ratio": poisson_ratio,
-        "base": base,
-        "pressure_viscosity": pressure_viscosity,
-        "viscosity_law": viscosity_law,
-    }
-    given = {name: value for name, value in physical.items() if value is not None}
+    doubted = {"roughness": roughness, "density": density}
+    given = (contact or Sliding()).given() | {name: value for name, value in doubted.items() if value is not None}
     dimensionless = [name for name, value in (("beta", beta), ("beta_load", beta_load)) if value is not None]
     if dimensionless and given:
         raise InputError(f"{dimensionless[0]}, {next(iter(given))}: give a dimensionless or a physical contact, not both")

@@ -81,8 +81,9 @@ def test_refused(change, text):
 @pytest.mark.parametrize(
     ("options", "text"),
     [
-        (["--speed", "1 mm/s", "--history", "h.csv"], "--speed, --history"),
-        (["--speed", "1 mm/s", "--plot", "h.png"], "--speed, --plot"),
+        (["--speed", "1 mm/s", "--history", "h.csv"], "--load, --history"),
+        (["--speed", "1 mm/s", "--approach-speed", "1 um/s"], "--load, --approach-speed"),
+        (["--speed", "1 mm/s", "--plot", "h.bmp"], "--plot"),
         (["--pressed", "1 s"], "--pressed"),
         (["--cavitation", "none"], "--cavitation"),
     ],

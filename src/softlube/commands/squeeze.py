@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Group, Parameter
+
+from softlube.commands.inputs import Bodies, Physical
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -12,22 +14,18 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from softlube.approach.result import Squeeze
+    from softlube.approach.start import Slide
     from softlube.solution import Quantity
 
-PHYSICAL = Group("Sphere, substrate, liquid (text with units, such as '2 mm')", sort_key=1)
 MOTION = Group("Motion (give one of load, approach speed, history)", sort_key=2)
-SLIDING = Group("Start of sliding (constant load only)", sort_key=3)
+SLIDING = Group("Start of sliding", sort_key=3)
 OUTPUT = Group("Output", sort_key=4)
-Physical = Annotated[str | None, Parameter(group=PHYSICAL, allow_leading_hyphen=True)]
 Moved = Annotated[str | None, Parameter(group=MOTION, allow_leading_hyphen=True)]
 
 
 def squeeze(
     *,
-    radius: Physical = None,
-    young_modulus: Physical = None,
-    shear_modulus: Physical = None,
-    viscosity: Physical = None,
+    bodies: Bodies | None = None,
     density: Physical = None,
     load: Moved = None,
     approach_speed: Moved = None,
@@ -49,14 +47,8 @@ def squeeze(
 
     Parameters
     ----------
-    radius
-        Radius of the sphere, such as "2 mm".
-    young_modulus
-        Young's modulus of the substrate (incompressible), such as "3 MPa".
-    shear_modulus
-        Shear modulus instead, such as "1 MPa".
-    viscosity
-        Dynamic viscosity of the liquid, such as "2 Pa s".
+    bodies
+        Sphere, substrate and liquid.
     density
         Density of the liquid, for the warning of inertia [default: 1000 kg/m^3].
     load
@@ -72,9 +64,9 @@ def squeeze(
     film_limit
         Minimum film at which to stop, such as the roughness, "20 nm".
     speed
-        Speed of sliding from time 0 on, such as "1 mm/s".
+        Speed of sliding from time 0 on, such as "1 mm/s" [default: no sliding].
     pressed
-        How long the sphere is pressed before it slides, such as "1 s" [default: not at all].
+        How long the sphere is pressed, by the load of time 0, before it slides, such as "1 s" [default: not at all].
     cavitation
         "reynolds" (no negative pressure) or "none"; without sliding negative pressures are always allowed.
     accuracy
@@ -105,43 +97,24 @@ def squeeze(
         check_format("plot", plot)
         if output is not None and os.path.abspath(output) == os.path.abspath(plot):
             raise InputError("output, plot: expected two different files")
-    sphere = {"radius": radius, "young_modulus": young_modulus, "shear_modulus": shear_modulus, "viscosity": viscosity}
-    if speed is not None:
-        for name, unwanted in (
-            ("approach_speed", approach_speed),
-            ("history", history),
-            ("film_limit", film_limit),
-            ("density", density),
-            ("plot", plot),
-        ):
+    from softlube.approach.result import Squeeze
+
+    sliding = {"pressed": pressed, "cavitation": cavitation}
+    if speed is None:
+        for name, unwanted in sliding.items():
             if unwanted is not None:
-                raise InputError(
-                    f"speed, {name}: a start of sliding takes a constant load and no {name}; leave one of them out"
-                )
-        sliding = {"load": load, "speed": speed, "initial_height": initial_height, "duration": duration, "pressed": pressed}
-        return _slide(sphere | sliding, cavitation, accuracy, output, as_json)
-    for name, unwanted in (("pressed", pressed), ("cavitation", cavitation)):
-        if unwanted is not None:
-            raise InputError(f"{name}: only a start of sliding has it; give --speed or leave it out")
-    from softlube.approach.physical import squeeze as follow
+                raise InputError(f"{name}: only a start of sliding has it; give --speed or leave it out")
+        from softlube.approach.physical import squeeze as follow
+    else:
+        from softlube.approach.start import slide as follow
+    moved = {"load": load, "approach_speed": approach_speed, "history": history, "initial_height": initial_height}
+    moved |= {"duration": duration, "film_limit": film_limit, "density": density, "accuracy": accuracy, "speed": speed}
+    options: dict[str, Any] = {name: value for name, value in (moved | sliding).items() if value is not None}
+    options |= (bodies or Bodies()).given()
 
     began = time.perf_counter()
     with Console(stderr=True, quiet=as_json).status("starting", spinner="dots") as status:
-        result = follow(
-            radius=radius,
-            young_modulus=young_modulus,
-            shear_modulus=shear_modulus,
-            viscosity=viscosity,
-            load=load,
-            approach_speed=approach_speed,
-            history=history,
-            initial_height=initial_height,
-            duration=duration,
-            film_limit=film_limit,
-            accuracy=1e-3 if accuracy is None else accuracy,
-            progress=status.update,
-            density=1000.0 if density is None else density,
-        )
+        result = follow(**options, progress=status.update)
         if output is not None:
             status.update("writing")
             result.save(output)
@@ -153,42 +126,11 @@ def squeeze(
 
         print(json.dumps(result.to_dict(), allow_nan=False), flush=True)
         return 0
-    _report(result, time.perf_counter() - began, [path for path in (output, plot) if path is not None])
-    return 0
-
-
-def _slide(
-    given: dict[str, str | None], cavitation: str | None, accuracy: float | None, output: str | None, as_json: bool
-) -> int:
-    """The start of sliding."""
-    from rich.console import Console
-
-    from softlube.approach.start import slide
-
-    options = {name: value for name, value in given.items() if value is not None}
-    with Console(stderr=True, quiet=as_json).status("starting", spinner="dots") as status:
-        result = slide(
-            **options,
-            cavitation=cavitation or "reynolds",
-            accuracy=2e-2 if accuracy is None else accuracy,
-            progress=status.update,
-        )
-        if output is not None:
-            status.update("writing")
-            result.save(output)
-    if as_json:
-        import json
-
-        print(json.dumps(result.to_dict(), allow_nan=False), flush=True)
-        return 0
-    from softlube.approach.start import DESCRIPTION
-
-    console = Console(highlight=False, soft_wrap=True)
-    console.print(f"After {result.time[-1]:.6g} s of sliding:", markup=False)
-    console.print(_table(result.final, DESCRIPTION), soft_wrap=False)
-    console.print(f"{result.time.size} time steps on {result.angles[-1]} angles.", markup=False)
-    if output is not None:
-        console.print(f"Wrote {output}", markup=False)
+    seconds, written = time.perf_counter() - began, [path for path in (output, plot) if path is not None]
+    if isinstance(result, Squeeze):
+        _report(result, seconds, written)
+    else:
+        _report_sliding(result, seconds, written)
     return 0
 
 
@@ -212,26 +154,44 @@ def _table(quantities: Mapping[str, Quantity], names: Mapping[str, str]) -> Tabl
 
 
 def _report(result: Squeeze, seconds: float, written: list[str]) -> None:
-    from rich.console import Console
-
     from softlube.approach.result import DESCRIPTION
 
-    console = Console(highlight=False, soft_wrap=True)
-    why = "the film reached its limit" if result.run.ended_by == "film_limit" else "the end of the motion"
-    doubt = f" ± {result.time_error * result.scale('time')[0]:.2g}" if result.time_error else ""
-    console.print(f"After {result.time[-1]:.6g}{doubt} s ({why}):", markup=False)
     scale = 1e-3 * abs(float(result.final["pressure_center"]))
     # The far field's pressure is next to nothing.
     shown = {name: q for name, q in result.final.items() if name not in ("pressure_max", "pressure_min") or abs(q) > scale}
-    console.print(_table(shown, DESCRIPTION), soft_wrap=False)
+    remarks = []
     if result.dimple_time == result.dimple_time:  # not nan
-        console.print(f"The film is thinnest off the axis (a dimple) after {result.dimple_time:.3g} s.", markup=False)
-    for doubt in result.warnings:
-        console.print(f"[bold yellow]Warning:[/] {doubt}.")
-    console.print(
+        remarks.append(f"The film is thinnest off the axis (a dimple) after {result.dimple_time:.3g} s.")
+    last = (
         f"{result.run.time.size} time steps on {result.rings[-1]} rings in {seconds:.1f} s; "
-        f"balance of volume to {result.run.volume_error:.0e}.",
-        markup=False,
+        f"balance of volume to {result.run.volume_error:.0e}."
     )
+    doubt = result.time_error * result.scale("time")[0]
+    _print(result, doubt, "", _table(shown, DESCRIPTION), remarks, last, written)
+
+
+def _report_sliding(result: Slide, seconds: float, written: list[str]) -> None:
+    from softlube.approach.start import DESCRIPTION
+
+    last = f"{result.time.size} time steps on {result.angles[-1]} angles in {seconds:.1f} s."
+    _print(result, result.time_error, " of sliding", _table(result.final, DESCRIPTION), [], last, written)
+
+
+def _print(
+    result: Squeeze | Slide, doubt: float, what: str, table: Table, remarks: list[str], last: str, written: list[str]
+) -> None:
+    """When and why it ended, the last values, warnings, what it took."""
+    from rich.console import Console
+
+    console = Console(highlight=False, soft_wrap=True)
+    why = "the film reached its limit" if result.run.ended_by == "film_limit" else "the end of the motion"
+    error = f" ± {doubt:.2g}" if doubt else ""
+    console.print(f"After {result.time[-1]:.6g}{error} s{what} ({why}):", markup=False)
+    console.print(table, soft_wrap=False)
+    for remark in remarks:
+        console.print(remark, markup=False)
+    for warning in result.warnings:
+        console.print(f"[bold yellow]Warning:[/] {warning}.")
+    console.print(last, markup=False)
     for path in written:
         console.print(f"Wrote {path}", markup=False)
