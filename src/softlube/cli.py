@@ -6,7 +6,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
-from cyclopts import App, CycloptsError, Group, Parameter
+from cyclopts import App, CycloptsError, Group, Parameter, UnknownOptionError
 
 from softlube.commands.inputs import Physical, Sliding
 
@@ -346,13 +346,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a terminal without Greek letters gets question marks, not a crash
             stream.reconfigure(errors="replace")
+    given = list(sys.argv[1:] if arguments is None else arguments)
     try:
         result = app(
-            list(sys.argv[1:] if arguments is None else arguments),
+            given,
             exit_on_error=False,
             print_error=False,
             result_action="return_value",
         )
+    except UnknownOptionError as error:
+        return _complain(_unknown(error, (*given, "")[0]), EXIT_INPUT)
     except CycloptsError as error:
         return _complain(" ".join(str(error).split()) + " See softlube --help.", EXIT_INPUT)
     except InputError as error:
@@ -370,6 +373,26 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return _complain("interrupted", EXIT_INTERRUPTED)
     return result if isinstance(result, int) else 0
+
+
+_MODELS = ("--thickness", "--base", "--pressure-viscosity", "--viscosity-law")
+"""Options of substrates and liquids other than the paper's."""
+_WITHOUT_MODELS = {
+    "stribeck": "the curve behind it is a half-space's with constant viscosity; take softlube solve or softlube sweep",
+    "fit": "the curve behind it is a half-space's with constant viscosity",
+    "curve": "the master curve is a half-space's with constant viscosity; take softlube solve or softlube sweep",
+    "reproduce": "the paper's figures are a half-space's with constant viscosity",
+    "sweep": "what is to be solved stands in the plan; give it there",
+}
+"""Commands that do not take them, and why."""
+
+
+def _unknown(error: UnknownOptionError, command: str) -> str:
+    """What to say of an option that a command does not have."""
+    option = (error.token.keyword or error.token.value).split("=")[0]
+    if option in _MODELS and command in _WITHOUT_MODELS:
+        return f"{option}: softlube {command} does not take it, {_WITHOUT_MODELS[command]}."
+    return " ".join(str(error).split()) + " See softlube --help."
 
 
 def _as_options(message: str) -> str:
