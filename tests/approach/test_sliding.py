@@ -94,7 +94,10 @@ def test_slow_sliding_on_a_layer_is_a_squeeze_film():
 
 @pytest.mark.parametrize("cavitation", ["reynolds", "none"])
 def test_a_sphere_that_is_pulled_off(cavitation):
-    """Without the condition the film pulls as under the rings at rest; with it, it lets go."""
+    """Without the condition the film pulls as on the rings; with it, it lets go.
+
+    The steps are judged by the film, of which the load of a substrate that yields so little takes more digits.
+    """
     motion = constant_speed(-0.05, 0.1, 10.0)
     run = start_sliding(1e4, motion, cavitation=cavitation, n_theta=12, tolerance=3e-3)
     loads = np.array([fields.load for fields in run.fields])
@@ -104,7 +107,7 @@ def test_a_sphere_that_is_pulled_off(cavitation):
         assert np.all(loads >= 0)
     else:
         expected = integrate(motion, rings=91, tolerance=1e-6).histories(run.time)["load"]
-        assert loads == pytest.approx(expected, abs=5e-3 * np.max(np.abs(expected)))
+        assert loads == pytest.approx(expected, abs=1e-2 * np.max(np.abs(expected)))
 
 
 def test_film_limit_stops_at_the_limit():

@@ -37,6 +37,43 @@ def test_histories_and_errors(started):
     assert np.max(started.errors["film_min"] / started.histories["film_min"]) <= 0.05
 
 
+def test_on_a_layer_it_ends_in_steady_sliding():
+    model = {"thickness": "0.5 mm", "poisson_ratio": 0.4, "base": "frictionless", "pressure_viscosity": "0.5 MPa^-1"}
+    start = slide(**START | {"duration": "0.1 s"}, **model)
+    steady = softlube.Contact(**BALL, **model).solve().dimensional
+    for name in ("film_center", "film_min", "friction_domain", "pressure_max"):
+        assert start.final[name] == pytest.approx(float(steady[name]), rel=6e-3), name
+    assert -start.final["height"] == pytest.approx(float(steady["indentation"]), rel=1e-3)
+    assert any("contact radii thick" in doubt for doubt in start.warnings)
+
+
+def test_a_height_from_a_file_ends_in_steady_sliding(tmp_path):
+    path = tmp_path / "h.csv"
+    path.write_text("time [ms],height [um]\n0,20\n10,-20\n20,-40\n120,-40\n", encoding="utf-8")
+    moved = {name: value for name, value in BALL.items() if name != "load"}
+    start = slide(**moved, history=path, accuracy=0.1)
+    steady = softlube.Contact(**moved, indentation="40 um").solve().dimensional
+    assert start.histories["height"][[0, -1]] == pytest.approx([20e-6, -40e-6])
+    for name in ("film_center", "film_min", "load", "pressure_max"):
+        assert start.final[name] == pytest.approx(float(steady[name]), rel=2e-2), name
+    assert start.run.fields[-1].height == pytest.approx(-2)
+
+
+def test_film_limit_and_picture(started, tmp_path):
+    stopped = slide(**START | {"film_limit": "20 um", "duration": "10 ms"})
+    assert stopped.run.ended_by == stopped.to_dict()["ended_by"] == "film_limit"
+    assert stopped.final["film_min"] == pytest.approx(20e-6, rel=1e-3)
+    crossed = np.interp(-20e-6, -started.histories["film_min"], started.time)
+    assert stopped.time[-1] == pytest.approx(crossed, rel=5e-3)
+    assert 0 < stopped.time_error < 0.05 * stopped.time[-1]
+    figure = started.plot(tmp_path / "a.png")
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    film = figure.axes[0].lines[-1].get_ydata()
+    assert film.min() == pytest.approx(float(started.final["film_min"]) * 1e6, rel=0.1)  # the neck is off the axis
+    with pytest.raises(InputError, match="plot"):
+        started.plot(tmp_path / "a.bmp")
+
+
 def test_file(started, tmp_path):
     started.save(tmp_path / "a.nc")
     with xr.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:

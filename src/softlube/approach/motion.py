@@ -27,6 +27,8 @@ NECK, NECK_EXPONENT = 0.5, -0.36
 """Under a load the neck at the edge of the dimple narrows like a power of the time (measured)."""
 DAMPING, LARGEST_ITERATIONS = 0.4, 200
 """Of the iteration for the pressure at the start."""
+UNBOUNDED = 1e6
+"""Pressure over Taylor's, V/(4h₀²), about, at which a liquid is taken to thicken without bound."""
 SAMPLES = 2001
 """Instants at which a history is looked at to find its extremes."""
 
@@ -144,6 +146,8 @@ class Motion:
             driven = spline(grid.xi[-1]) - spline(grid.xi) + speed / (4 * u[-1] ** 2)
             if self.control == "load":
                 driven *= start / film.load(driven)
+            if self.control == "height" and np.max(driven) > UNBOUNDED * speed / self.initial_height**2:
+                break
             change = driven - pressure
             # p goes like u⁻³, so a full step would overshoot threefold where the deflection makes most of the film.
             pressure = pressure + DAMPING * change

@@ -11,6 +11,7 @@ solver's own Newton method.  The steps are those of the two-step backward differ
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, replace
@@ -22,7 +23,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from softlube.approach.integrate import integrate
-from softlube.approach.motion import Motion
+from softlube.approach.motion import REACH, Motion
 from softlube.approach.rings import SqueezeFilm
 from softlube.elasticity import rim_slice
 from softlube.errors import InputError, NotConvergedError
@@ -256,6 +257,11 @@ def start_sliding(
     unit = deepest * scale
     motion = motion.in_units(unit)
     grid = grid_for(problem, n_theta)
+    if not by_load:
+        # Under a load that changes the surface moves like Ṅ/r, so that the descent at the rim is not the sphere's.  Far enough
+        # out that is little.
+        n_r = max(grid.n_r, math.ceil(float(grid.xi_of(REACH * np.sqrt(2 * max(motion.samples)))) / grid.d_xi))
+        grid = replace(grid, reach=float(grid.r_of(n_r * grid.d_xi))).resized(n_r, n_theta)
     system = ContactSystem(problem, grid, scale)
     mass = mass_matrix(system)
     film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.fluid)
