@@ -27,8 +27,8 @@ NECK, NECK_EXPONENT = 0.5, -0.36
 """Under a load the neck at the edge of the dimple narrows like a power of the time (measured)."""
 DAMPING, LARGEST_ITERATIONS = 0.4, 200
 """Of the iteration for the pressure at the start."""
-UNBOUNDED = 1e6
-"""Pressure over Taylor's, V/(4h₀²), about, at which a liquid is taken to thicken without bound."""
+LEAST_FLUIDITY = 1e-12
+"""Where a liquid is taken to thicken without bound at the start."""
 SAMPLES = 2001
 """Instants at which a history is looked at to find its extremes."""
 
@@ -141,13 +141,13 @@ class Motion:
         pressure = np.zeros_like(film.parabola)
         for _ in range(LARGEST_ITERATIONS):
             u = self.initial_height + film.parabola + film.compliance @ pressure
-            mobility = 2 * film.fluid.fluidity(pressure)[0] * u**3
-            spline = CubicSpline(grid.xi, speed * grid.r * grid.dr_dxi(grid.r) / mobility).antiderivative()
+            fluidity, _ = film.fluid.fluidity(pressure)
+            if np.min(fluidity) < LEAST_FLUIDITY:
+                break
+            spline = CubicSpline(grid.xi, speed * grid.r * grid.dr_dxi(grid.r) / (2 * fluidity * u**3)).antiderivative()
             driven = spline(grid.xi[-1]) - spline(grid.xi) + speed / (4 * u[-1] ** 2)
             if self.control == "load":
                 driven *= start / film.load(driven)
-            if self.control == "height" and np.max(driven) > UNBOUNDED * speed / self.initial_height**2:
-                break
             change = driven - pressure
             # p goes like u⁻³, so a full step would overshoot threefold where the deflection makes most of the film.
             pressure = pressure + DAMPING * change

@@ -296,7 +296,9 @@ def start_sliding(
         own = at_instant(system, motion.drive(time), descent, height)
         if np.min(own.film(guess)) <= 0:
             guess = states[-1]
-        solved = newton(Step(own, mass, *_difference(times, films, time)), guess, tolerance=NEWTON_TOLERANCE * tolerance)
+        equations = Step(own, mass, *_difference(times, films, time))
+        with np.errstate(over="ignore", invalid="ignore"):  # of iterates that go astray; a shorter step follows
+            solved = newton(equations, guess, tolerance=NEWTON_TOLERANCE * tolerance)
         film_now = own.film(solved.x)
         error = MILNE * float(np.max(np.abs(film_now - _extrapolated(times, films, time))[inside] / film_now[inside]))
         # Without a past the extrapolation is too poor to judge by: the first two steps are short and taken as they are.
