@@ -28,6 +28,7 @@ from softlube.approach.rings import SqueezeFilm
 from softlube.elasticity import rim_slice
 from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
+from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD
 from softlube.meshing import grid_for, unit_for
 from softlube.newton import newton
@@ -202,6 +203,49 @@ def _difference(times: list[float], films: list[Array], time: float) -> tuple[fl
     return (1 + 2 * ratio) / (1 + ratio) / step, before * films[-2] - (1 + ratio) / step * films[-1]
 
 
+def _check(motion: Motion, pressed: float, cavitation: str, tolerance: float) -> None:
+    """Refuse what `start_sliding` does not take."""
+    by_load = motion.control == "load"
+    if not 0 < tolerance <= 0.1:
+        raise InputError(f"tolerance: expected a number from 0 to 0.1, got {tolerance!r}")
+    if by_load and cavitation == "reynolds" and np.min(motion.samples) <= 0:
+        raise InputError("load: not positive all the time; under the Reynolds condition the film cannot pull at the sphere")
+    if pressed and not by_load:
+        raise InputError("pressed: a sphere is pressed by a load; with its height given it only waits, so leave it out")
+
+
+def grid_under(problem: Problem, motion: Motion, n_theta: int) -> PolarGrid:
+    """The steady problem's grid, extended for a height that is prescribed.
+
+    Under a load that changes the surface moves like Ṅ/r, so that the descent at the rim is not the sphere's; far out that is
+    little.
+    """
+    grid = grid_for(problem, n_theta)
+    if motion.control == "load":
+        return grid
+    n_r = max(grid.n_r, math.ceil(float(grid.xi_of(REACH * np.sqrt(2 * max(motion.samples)))) / grid.d_xi))
+    return replace(grid, reach=float(grid.r_of(n_r * grid.d_xi))).resized(n_r, n_theta)
+
+
+def before_sliding(
+    motion: Motion, grid: PolarGrid, pressed: float, tolerance: float, progress: Callable[[str], None] | None
+) -> tuple[Array, float]:
+    """Pressure on the rings and height when the sliding starts, after the first load has acted for some time."""
+    if not pressed:
+        film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.fluid)
+        return motion.first_pressure(film), motion.initial_height
+    first = motion.drive(0.0)
+    held = replace(motion, drive=lambda _: first, duration=pressed)
+    run = integrate(held, rings=grid, tolerance=tolerance, progress=progress)
+    return run.pressures[-1], float(run.heights[-1])
+
+
+def thinnest(fields: Fields, limit: float) -> float:
+    """Least film, found between the nodes where it may be near a limit."""
+    on_nodes = float(fields.film.min())
+    return on_nodes if on_nodes > 1.5 * limit else measure(fields)["film_min"]
+
+
 def start_sliding(
     beta: float,
     motion: Motion,
@@ -246,31 +290,15 @@ def start_sliding(
     At the rim the pressure is that of steady sliding and of the descent in the step before.
     """
     by_load = motion.control == "load"
-    if not 0 < tolerance <= 0.1:
-        raise InputError(f"tolerance: expected a number from 0 to 0.1, got {tolerance!r}")
-    if by_load and cavitation == "reynolds" and np.min(motion.samples) <= 0:
-        raise InputError("load: not positive all the time; under the Reynolds condition the film cannot pull at the sphere")
-    if pressed and not by_load:
-        raise InputError("pressed: a sphere is pressed by a load; with its height given it only waits, so leave it out")
+    _check(motion, pressed, cavitation, tolerance)
     problem, deepest = deepest_problem(beta, motion, cavitation)
     scale = unit_for(problem)
     unit = deepest * scale
     motion = motion.in_units(unit)
-    grid = grid_for(problem, n_theta)
-    if not by_load:
-        # Under a load that changes the surface moves like Ṅ/r, so that the descent at the rim is not the sphere's.  Far enough
-        # out that is little.
-        n_r = max(grid.n_r, math.ceil(float(grid.xi_of(REACH * np.sqrt(2 * max(motion.samples)))) / grid.d_xi))
-        grid = replace(grid, reach=float(grid.r_of(n_r * grid.d_xi))).resized(n_r, n_theta)
+    grid = grid_under(problem, motion, n_theta)
     system = ContactSystem(problem, grid, scale)
     mass = mass_matrix(system)
-    film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.fluid)
-    rings, height = motion.first_pressure(film), motion.initial_height
-    if pressed:
-        first = motion.drive(0.0)
-        held = replace(motion, drive=lambda _: first, duration=pressed * unit**1.5)
-        before = integrate(held, rings=grid, tolerance=min(1e-3 * tolerance, 1e-6), progress=progress)
-        rings, height = before.pressures[-1], float(before.heights[-1])
+    rings, height = before_sliding(motion, grid, pressed * unit**1.5, min(1e-3 * tolerance, 1e-6), progress)
     x = np.repeat(rings[: grid.n_r], grid.shape[1])
     if by_load:
         x = np.append(x, height)
@@ -283,7 +311,7 @@ def start_sliding(
         return fields_of(own, x).in_units(1 / deepest)
 
     times, states, films, fields = [0.0], [x], [own.film(x)], [told(own, x)]
-    least = measure(fields[0])["film_min"] / unit if limit else np.inf
+    least = thinnest(fields[0], film_limit) / unit if limit else np.inf
     if least <= limit:
         raise InputError(f"film_limit: the film starts at {least / limit:.3g} of the limit, not above it")
     step = min(FIRST_STEP * min(motion.initial_height * unit**2.5, motion.duration), motion.longest_step)
@@ -311,7 +339,7 @@ def start_sliding(
             continue
         now = told(own, solved.x)
         if limit:
-            thinner = measure(now)["film_min"] / unit
+            thinner = thinnest(now, film_limit) / unit
             if thinner < limit * (1 - LIMIT_MET * tolerance):
                 # Back to where the chord between both films passes the limit.
                 step *= (least - limit) / (least - thinner)
