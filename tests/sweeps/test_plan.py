@@ -163,3 +163,10 @@ def test_layers_and_oils_are_parameters_like_any_other():
     assert plan.cases[0].contact == softlube.Contact(
         **BALL, thickness="1 mm", poisson_ratio=0.45, base="bonded", pressure_viscosity="20 GPa^-1"
     )
+
+
+@pytest.mark.parametrize("name", ["thickness", "base", "viscosity_law"])
+def test_a_dimensionless_case_takes_no_layer_and_no_oil(name):
+    value = {"thickness": "1 mm", "base": "bonded", "viscosity_law": "barus"}[name]
+    with pytest.raises(softlube.InputError, match=f"beta, {name}: give a dimensionless or a physical contact"):
+        make_plan({"beta": 100, name: value})

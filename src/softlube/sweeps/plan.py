@@ -60,7 +60,7 @@ class Case:
             If they describe no contact.
         """
         if any(name in inputs for name in DIMENSIONLESS):
-            physical = [name for name in inputs if name in KINDS]
+            physical = [name for name in inputs if name not in (*DIMENSIONLESS, "cavitation")]
             if physical:
                 first = next(name for name in DIMENSIONLESS if name in inputs)
                 raise InputError(f"{first}, {physical[0]}: give a dimensionless or a physical contact, not both")
