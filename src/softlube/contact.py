@@ -460,20 +460,22 @@ class Contact:
         by_load = self.load is not None
         if by_load:
             dry = dry_contact_at(self.substrate(), load=HERTZ_LOAD)
-            changes = {"indentation of a dry contact": dry.indentation - 1}
+            changes = {"indentation of a dry contact": (dry.indentation - 1, 0.0)}
         else:
             dry = dry_contact_at(self.substrate(), indentation=1.0)
-            changes = {"load of a dry contact": dry.load / HERTZ_LOAD - 1}
+            changes = {"load of a dry contact": (dry.load / HERTZ_LOAD - 1, 0.0)}
         if self.pressure_viscosity is None:
             from softlube import curve
 
             half_space = replace_substrate(self, None)
             thick = half_space.dimensional(curve.quantities(half_space.problem()))
             names = {"film_center": "film at the centre", "film_min": "minimum film", "friction_domain": "friction"}
-            changes |= {text: dimensional[name] / thick[name] - 1 for name, text in names.items()}
-        if max(abs(change) for change in changes.values()) <= LARGEST_LAYER_EFFECT:
+            for name, text in names.items():
+                ours, theirs = dimensional[name], thick[name]
+                changes[text] = ours / theirs - 1, ours.error / abs(ours) + theirs.error / abs(theirs)
+        if max(abs(change) for change, _ in changes.values()) <= LARGEST_LAYER_EFFECT:
             return []
-        effects = ", ".join(f"{text} {100 * change:+.2g} %" for text, change in changes.items())
+        effects = ", ".join(f"{text} {_in_per_cent(*change)}" for text, change in changes.items())
         thickness = self.thickness / (dry.radius * self.unit_length)  # type: ignore[operator]
         return [f"the layer is {thickness:.2g} contact radii thick; compared with a half-space that changes: {effects}"]
 
@@ -485,3 +487,10 @@ class Contact:
     def from_inputs(cls, inputs: Mapping[str, Any]) -> Contact:
         """Inverse of `inputs`."""
         return cls(**inputs)
+
+
+def _in_per_cent(change: float, error: float) -> str:
+    """A relative change with its error; no digits of it where it is smaller than that."""
+    if abs(change) <= error:
+        return f"less than {100 * error:.1g} %"
+    return f"{100 * change:+.2g} %" + (f" (± {100 * error:.1g} %)" if error else "")
