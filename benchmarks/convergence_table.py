@@ -38,7 +38,7 @@ def main() -> None:
     print("| problem | grid | " + " | ".join(COLUMNS.values()) + " |")
     print("|---|---|" + "---|" * len(COLUMNS))
     for case in json.loads(REFERENCE.read_text()):
-        problem = Problem(**case["problem"])
+        problem = Problem.from_plain(case["problem"])
         exact = {name: item["value"] for name, item in case["quantities"].items()}
         label = f"{'β_load' if problem.load_controlled else 'β'} = {problem.parameter:g}"
         label += "" if problem.cavitation == "reynolds" else ", full film"

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import sys
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -47,10 +47,10 @@ def main() -> None:
     """Solve the cases and write the file."""
     results = []
     for problem in CASES:
-        sizes = (40, 60) if problem.parameter < 3e4 else (40, 58) if problem.parameter < 1e7 else (34, 48)
+        sizes = (40, 60) if problem.parameter < 3e4 else (58, 84) if problem.parameter < 1e7 else (34, 48)
         coarser, finest = (reference(problem, n_theta) for n_theta in sizes)
         values = {name: {"value": value, "uncertainty": abs(value - coarser[name])} for name, value in finest.items()}
-        results.append({"problem": asdict(problem), "quantities": values})
+        results.append({"problem": problem.to_plain(), "quantities": values})
         print(f"{problem}: film_min = {finest['film_min']:.8g}", flush=True)
     Path(sys.argv[1]).write_text(json.dumps(results, indent=1) + "\n")
 

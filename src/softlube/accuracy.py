@@ -8,11 +8,11 @@ from softlube.meshing import like_hertz, over_a_gap
 from softlube.problem import Problem
 from softlube.quantities import BOUNDARY_LAYER_LEVEL
 
-LOOSER = {"film_min": 3.0}
-LOOSER_DEEP = {"film_min": 10.0}
-"""Quantities whose error may exceed the accuracy by this factor: the extremum in the thinnest layer, which takes
+LOOSER = {"film_min": 3.0, "shear_rate_max": 3.0}
+LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
+"""Quantities whose error may exceed the accuracy by this factor: the extrema in the thinnest layer, which take
 more angles the larger β is; the second beyond `COARSE_BETA`."""
-REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg", "shear_rate_max")
+REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg")
 """Quantities that carry an error but do not decide when the grid is fine enough."""
 FREE_BOUNDARY = {
     "load": 0.1,
@@ -50,11 +50,11 @@ FREE_BOUNDARY_GAP = {
     "friction_domain": 0.36,
 }
 """The same under a sphere that hardly touches or does not: the boundary passes close by, the minimum film sits on the axis."""
-FREE_BOUNDARY_DEEP = {"film_min": 2.0}
+FREE_BOUNDARY_DEEP = {"film_min": 2.0, "shear_rate_max": 2.5}
 """The same for a very large β, where few angles share the layer with the minimum film."""
-SUCTION = {"film_min": 1.0, "shear_rate_max": 25.0}
+SUCTION = {"film_min": 1.0, "shear_rate_max": 3.5}
 """The same without the Reynolds condition, where it differs: the largest shear lies in the suction behind the contact."""
-DEEP_BETA = 3e4
+DEEP_BETA = 9e3
 COARSE_BETA = 3e6
 """β up to which the coarsest grid is of use."""
 

@@ -285,7 +285,7 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
     what = "Newton steps" if solution.method == "newton" else f"sweeps of the paper's method ({solution.method})"
     console.print(f"Converged in {seconds:.2f} s: grids of {sizes} cells, {steps} {what}.")
     if solution.method == "newton":
-        console.print(f"Errors aimed at: {solution.accuracy:g} of each value (minimum film: three times that).")
+        console.print(f"Errors aimed at: {solution.accuracy:g} of each value (minimum film, maximum shear: three times that).")
     else:
         console.print("One mesh, so the errors are not known; softlube's own method (--method newton) estimates them.")
     for doubt in solution.warnings:

@@ -303,7 +303,9 @@ class Contact(Materials):
             half_space = replace_substrate(self, None)
             thick = half_space.dimensional(curve.quantities(half_space.problem()))
             names = {"film_center": "film at the centre", "film_min": "minimum film", "friction_domain": "friction"}
-            changes |= {text: dimensional[name] / thick[name] - 1 for name, text in names.items()}
+            for name, text in names.items():
+                ours, theirs = dimensional[name], thick[name]
+                changes[text] = ours / theirs - 1, ours.error / abs(ours) + theirs.error / abs(theirs)
         return layer_doubt(dry, substrate, changes)
 
     def inputs(self) -> dict[str, float | str | None]:

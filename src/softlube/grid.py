@@ -22,8 +22,8 @@ RIM = 2
 THINNING, WIDE = 0.8, 2.0
 """How much the mesh is thinned beyond the contact, and from where (over the contact radius)."""
 
-CROWDING = 0.5
-"""Share of the angles that is drawn towards 90°."""
+CROWDING = 1.2
+"""How strongly the angles are drawn towards 90°."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class PolarGrid:
     where the pressure is a power of r.  ξ is odd in r, so the mesh continues smoothly through the centre to the opposite
     side, (−r, θ) = (r, π − θ).
 
-    Angularly, ds/dθ ∝ 1 + 0.5/√(w² + cos²θ) with w = `side_layer`: intervals shrink in proportion to the distance from 90°,
+    Angularly, ds/dθ ∝ 1 + 1.2/√(w² + cos²θ) with w = `side_layer`: intervals shrink in proportion to the distance from 90°,
     down to a zone of angle w around it.  The number of angles that it takes to resolve a layer thus grows only like the
     logarithm of its width.  Functions even and periodic in θ are so in s.
 

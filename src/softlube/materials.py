@@ -134,7 +134,7 @@ class Materials:
         return [f"the viscosity rises by {100 * rise:.2g} % at most with the pressure: a constant one would do as well"]
 
 
-def layer_doubt(dry: DryContact, substrate: Layer, changes: Mapping[str, float]) -> list[str]:
+def layer_doubt(dry: DryContact, substrate: Layer, changes: Mapping[str, tuple[float, float]]) -> list[str]:
     """A warning if the finite thickness changes something by more than `LARGEST_LAYER_EFFECT`.
 
     Parameters
@@ -143,18 +143,25 @@ def layer_doubt(dry: DryContact, substrate: Layer, changes: Mapping[str, float])
         The dry contact, for the thickness over its radius.
     substrate : Layer
         In the same units.
-    changes : mapping of str to float
-        What is changed, in words, and by what share of the half-space's value.
+    changes : mapping of str to pair of float
+        What is changed, in words, by what share of the half-space's value, and the error of that.
     """
-    if max(abs(change) for change in changes.values()) <= LARGEST_LAYER_EFFECT:
+    if max(abs(change) for change, _ in changes.values()) <= LARGEST_LAYER_EFFECT:
         return []
-    effects = ", ".join(f"{text} {100 * change:+.2g} %" for text, change in changes.items())
+    effects = ", ".join(f"{text} {_in_per_cent(*change)}" for text, change in changes.items())
     thickness = substrate.thickness / dry.radius
     return [f"the layer is {thickness:.2g} contact radii thick; compared with a half-space that changes: {effects}"]
 
 
-def dry_effect(substrate: Substrate, *, by_load: bool, depth: float = 1.0) -> tuple[DryContact, dict[str, float]]:
-    """The dry contact at the unit's load or at a depth, and by what share it differs from the half-space's.
+def _in_per_cent(change: float, error: float) -> str:
+    """A relative change with its error; no digits of it where it is smaller than that."""
+    if abs(change) <= error:
+        return f"less than {100 * error:.1g} %"
+    return f"{100 * change:+.2g} %" + (f" (± {100 * error:.1g} %)" if error else "")
+
+
+def dry_effect(substrate: Substrate, *, by_load: bool, depth: float = 1.0) -> tuple[DryContact, dict[str, tuple[float, float]]]:
+    """The dry contact at the unit's load or at a depth, and by what share it differs from the half-space's, exactly.
 
     Parameters
     ----------
@@ -167,9 +174,9 @@ def dry_effect(substrate: Substrate, *, by_load: bool, depth: float = 1.0) -> tu
     """
     if by_load:
         dry = dry_contact_at(substrate, load=HERTZ_LOAD)
-        return dry, {"indentation of a dry contact": dry.indentation - 1}
+        return dry, {"indentation of a dry contact": (dry.indentation - 1, 0.0)}
     dry = dry_contact_at(substrate, indentation=depth)
-    return dry, {"load of a dry contact": dry.load / (HERTZ_LOAD * depth**1.5) - 1}
+    return dry, {"load of a dry contact": (dry.load / (HERTZ_LOAD * depth**1.5) - 1, 0.0)}
 
 
 def check_choice(pair: Mapping[str, object]) -> None:

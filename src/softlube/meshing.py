@@ -9,10 +9,16 @@ from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD
 from softlube.problem import Problem
 
-RADIAL_STEP = 6.0
+RADIAL_STEP = 5.2
 """Spacing of ξ times the number of angular intervals."""
-RADIAL_STEP_GAP = 4.0
-"""The same under a sphere that does not touch, where the mesh also reaches farther: u = h₀ + r²/2 becomes r²/2 later."""
+RADIAL_STEP_LIGHT = 3.5
+"""The same under a sphere that hardly touches or does not."""
+LIGHT = 50.0
+"""β below which a sphere hardly touches."""
+RADIAL_STEP_SUCTION = 3.2
+MODERATE = 3e4
+"""The same for a contact without the Reynolds condition at moderate β: the suction behind it is narrower than the layer at its
+edge."""
 TOUCHING = 4.5
 """β_load at which h₀ = 0 under the Reynolds condition, about."""
 
@@ -58,15 +64,18 @@ def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
     """
     gap = over_a_gap(problem)
     beta = 1.0 if gap else max(like_hertz(problem), 1.0)
-    step = np.round(np.log2(beta**-0.4))
+    octave = np.round(np.log2(beta**-0.4))
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
-        layer=0.5 if gap else float(min(0.4 * 2.0**step, 0.25)),
-        side_layer=float(min(1.2 * 2.0 ** (step * 0.625), 1.0)),
-        reach=60.0 if gap else 20.0,
+        layer=0.5 if gap else float(min(0.4 * 2.0**octave, 0.25)),
+        side_layer=float(min(2.4 * 2.0 ** (octave * 0.625), 1.0)),
+        reach=60.0 if gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap
     )
-    return grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / (RADIAL_STEP_GAP if gap else RADIAL_STEP))), n_theta)
+    step = RADIAL_STEP_LIGHT if beta < LIGHT else RADIAL_STEP
+    if problem.cavitation == "none" and not gap and beta < MODERATE:
+        step = RADIAL_STEP_SUCTION
+    return grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / step)), n_theta)
 
 
 def first_height(problem: Problem) -> float:

@@ -58,7 +58,7 @@ def _zoom(f: Callable[[Array], Array], low: float, high: float, rounds: int = 5)
     return best
 
 
-def _zoom_plane(f: Callable[[Array, Array], Array], xi: Array, s: Array, rounds: int = 7) -> tuple[float, float, float]:
+def _zoom_plane(f: Callable[[Array, Array], Array], xi: Array, s: Array, rounds: int = 4) -> tuple[float, float, float]:
     """Place (ξ, s) and value of the minimum of f over the product of two ranges, first sampled as given."""
     best = float(xi[0]), float(s[0]), np.inf
     for _ in range(rounds):

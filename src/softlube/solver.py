@@ -171,7 +171,8 @@ def solve(
     fluid : Fluid, optional
         Of `softlube.fluids`; constant viscosity if none.
     accuracy : float
-        Relative error aimed at (film_min: three times that, ten times beyond β = 3·10⁶).  Grids follow from it.
+        Relative error aimed at (film_min and shear_rate_max: three times that, ten times beyond β = 3·10⁶).  Grids follow
+        from it.
     method : {"newton", "relaxation", "cartesian"}
         This solver, or the paper's own method on its polar mesh of 50 × 30 or on a Cartesian one of 100 × 50
         (docs/paper-method.md): slower, with one mesh and so without errors, for comparison.
