@@ -34,7 +34,7 @@ def test_angular_map_and_inverse(grid):
 @pytest.mark.parametrize("grid", GRIDS)
 def test_angular_map_is_the_integral_of_its_density(grid):
     def density(theta):
-        return 1 + 1.2 / np.hypot(grid.side_layer, np.cos(theta))
+        return 1 + grid.crowding / np.hypot(grid.side_layer, np.cos(theta))
 
     whole = 2 * quad(density, 0, np.pi / 2, points=[np.pi / 2 - grid.side_layer], epsrel=1e-12)[0]
     for theta in (0.4, 1.5, 1.6, 2.9):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from softlube.meshing import like_hertz, over_a_gap
+from softlube.meshing import DEEP_BETA, like_hertz, over_a_gap
 from softlube.problem import Problem
 from softlube.quantities import BOUNDARY_LAYER_LEVEL
 
@@ -54,7 +54,6 @@ FREE_BOUNDARY_DEEP = {"film_min": 2.0, "shear_rate_max": 2.5}
 """The same for a very large β, where few angles share the layer with the minimum film."""
 SUCTION = {"film_min": 1.0, "shear_rate_max": 3.5}
 """The same without the Reynolds condition, where it differs: the largest shear lies in the suction behind the contact."""
-DEEP_BETA = 9e3
 COARSE_BETA = 3e6
 """β up to which the coarsest grid is of use."""
 

@@ -22,9 +22,6 @@ RIM = 2
 THINNING, WIDE = 0.8, 2.0
 """How much the mesh is thinned beyond the contact, and from where (over the contact radius)."""
 
-CROWDING = 1.2
-"""How strongly the angles are drawn towards 90°."""
-
 
 @dataclass(frozen=True)
 class PolarGrid:
@@ -35,9 +32,9 @@ class PolarGrid:
     where the pressure is a power of r.  ξ is odd in r, so the mesh continues smoothly through the centre to the opposite
     side, (−r, θ) = (r, π − θ).
 
-    Angularly, ds/dθ ∝ 1 + 1.2/√(w² + cos²θ) with w = `side_layer`: intervals shrink in proportion to the distance from 90°,
-    down to a zone of angle w around it.  The number of angles that it takes to resolve a layer thus grows only like the
-    logarithm of its width.  Functions even and periodic in θ are so in s.
+    Angularly, ds/dθ ∝ 1 + c/√(w² + cos²θ) with w = `side_layer` and c = `crowding`: intervals shrink in proportion to the
+    distance from 90°, down to a zone of angle w around it.  The number of angles that it takes to resolve a layer thus grows
+    only like the logarithm of its width.  Functions even and periodic in θ are so in s.
 
     Parameters
     ----------
@@ -47,6 +44,8 @@ class PolarGrid:
         Width of the refined zone at the contact edge, relative to `edge`.
     side_layer : float
         Angle of the refined zone at θ = 90°, in radians.
+    crowding : float
+        How strongly the angles are drawn there.
     reach : float
         Outer radius of the last cell, relative to `edge`.
     edge : float
@@ -57,14 +56,15 @@ class PolarGrid:
     n_theta: int
     layer: float = 0.05
     side_layer: float = 0.5
+    crowding: float = 0.5
     reach: float = 20.0
     edge: float = 1.0
 
     def __post_init__(self) -> None:
         if self.n_r < 8 or self.n_theta < 6:
             raise ValueError(f"a polar grid needs n_r >= 8 and n_theta >= 6, not {self.n_r} x {self.n_theta}")
-        if not (self.layer > 0 and self.side_layer > 0 and self.reach > 1 and self.edge > 0):
-            raise ValueError("a polar grid needs layer > 0, side_layer > 0, reach > 1 and edge > 0")
+        if not min(self.layer, self.side_layer, self.crowding, self.reach - 1, self.edge) > 0:
+            raise ValueError("a polar grid needs layer > 0, side_layer > 0, crowding > 0, reach > 1 and edge > 0")
 
     # --- radial direction -------------------------------------------------------------------------------------------
 
@@ -117,8 +117,8 @@ class PolarGrid:
     # --- angular direction ------------------------------------------------------------------------------------------
 
     def _crowded(self, angle: Array) -> Array:
-        """∫ (1 + CROWDING/√(w² + sin²φ)) dφ from 90° to an angle from there, an elliptic integral."""
-        return angle + CROWDING / self.side_layer * ellipkinc(angle, -1 / self.side_layer**2)
+        """∫ (1 + c/√(w² + sin²φ)) dφ from 90° to an angle from there, an elliptic integral."""
+        return angle + self.crowding / self.side_layer * ellipkinc(angle, -1 / self.side_layer**2)
 
     @cached_property
     def _stretch(self) -> float:
@@ -148,7 +148,7 @@ class PolarGrid:
         return theta
 
     def _slope(self, theta: Array) -> Array:
-        return self._stretch / (1 + CROWDING / np.hypot(self.side_layer, np.cos(theta)))
+        return self._stretch / (1 + self.crowding / np.hypot(self.side_layer, np.cos(theta)))
 
     def dtheta_ds(self, s: ArrayLike) -> Array:
         """Derivative dθ/ds at s in [0, π]."""

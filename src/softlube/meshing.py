@@ -19,6 +19,8 @@ RADIAL_STEP_SUCTION = 3.2
 MODERATE = 3e4
 """The same for a contact without the Reynolds condition at moderate β: the suction behind it is narrower than the layer at its
 edge."""
+DEEP_BETA = 3e4
+"""β beyond which the layer at the sides is what is hardest to resolve."""
 TOUCHING = 4.5
 """β_load at which h₀ = 0 under the Reynolds condition, about."""
 
@@ -65,11 +67,13 @@ def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
     gap = over_a_gap(problem)
     beta = 1.0 if gap else max(like_hertz(problem), 1.0)
     octave = np.round(np.log2(beta**-0.4))
+    deep = beta > DEEP_BETA
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
         layer=0.5 if gap else float(min(0.4 * 2.0**octave, 0.25)),
-        side_layer=float(min(2.4 * 2.0 ** (octave * 0.625), 1.0)),
+        side_layer=float(min((2.4 if deep else 1.4) * 2.0 ** (octave * 0.625), 1.0)),
+        crowding=1.2 if deep else 0.7,
         reach=60.0 if gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap
     )
     step = RADIAL_STEP_LIGHT if beta < LIGHT else RADIAL_STEP
