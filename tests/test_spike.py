@@ -157,6 +157,11 @@ def test_global_mass_balance_of_the_discrete_equations(spiked):
     assert np.max(np.abs(np.cumsum(rings))[within] / through.max()) < 1e-6
 
 
+def test_what_is_too_thick_is_refused_at_once():
+    with pytest.raises(softlube.NotConvergedError, match=r"rise by a factor of e\^73 under the dry contact's pressure"):
+        solve(1000, 20, 1e-2)
+
+
 def test_command_in_si_units(capsys):
     assert main(["solve", *HARD, "--pressure-viscosity", "20 GPa^-1", "--accuracy", "0.01"]) == 0
     said = " ".join(capsys.readouterr().out.split())

@@ -19,6 +19,8 @@ TOUCHING = 4.5
 """β_load at which h₀ = 0 under the Reynolds condition, about."""
 THICK = 2.5
 """ln η/η₀ under a dry contact's largest pressure beyond which a spike may stand at the outlet."""
+THICKEST = 55.0
+"""The same, up to which the march in the viscosity is known to arrive."""
 CREST_STEP = 0.02
 """Crests of meshes are multiples of this, so that neighbouring problems share a grid and its elastic operator."""
 

@@ -17,7 +17,7 @@ from softlube.fields import Fields
 from softlube.fluids import Fluid, Newtonian
 from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD
-from softlube.meshing import THICK, crest_of, dry_under, first_height, grid_for, like_hertz, thickening, unit_for
+from softlube.meshing import THICK, THICKEST, crest_of, dry_under, first_height, grid_for, like_hertz, thickening, unit_for
 from softlube.newton import Iteration, newton
 from softlube.problem import Problem
 from softlube.quantities import measure
@@ -288,6 +288,11 @@ def _check_range(problem: Problem) -> None:
         raise NotConvergedError(
             f"{name} = {problem.parameter:.4g} is outside the range that is resolved, {bounds}. Beyond it the limits of "
             "softlube.limits hold: a rigid sphere below, a Hertz contact above."
+        )
+    if (rise := thickening(problem)) > THICKEST:
+        raise NotConvergedError(
+            f"the viscosity would rise by a factor of e^{rise:.0f} under the dry contact's pressure; contacts are solved up to "
+            f"e^{THICKEST:.0f} (docs/viscosity.md)"
         )
 
 
