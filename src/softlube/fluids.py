@@ -11,14 +11,16 @@ from __future__ import annotations
 import math
 from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
-from typing import Any, ClassVar, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline
 
 from softlube.errors import InputError
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicHermiteSpline
 
 Array = NDArray[np.floating]
 
@@ -219,6 +221,8 @@ def _roelands_rest(steepness: float, exponent: float) -> tuple[float, CubicHermi
     exponent : float
         z.
     """
+    from scipy.interpolate import CubicHermiteSpline  # slow to import, and few ask for it
+
     knots = np.linspace(np.log(SMALLEST_RATIO), np.log(LARGEST_RATIO), 6001)
     x, weight = leggauss(6)
     points = knots[:-1, None] + np.diff(knots)[:, None] * (x + 1) / 2
