@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
 import softlube
 from softlube.cli import main
@@ -28,6 +29,52 @@ def test_fluidity_is_the_inverse_of_viscosity_with_its_derivative(law):
     assert fluidity * law.viscosity(p) == pytest.approx(1)
     step = 1e-6
     assert slope == pytest.approx((law.fluidity(p + step)[0] - law.fluidity(p - step)[0]) / (2 * step), abs=1e-8)
+
+
+@pytest.mark.parametrize("law", [Newtonian(), *LAWS, Roelands(50.0, 0.68, 0.07), Roelands(1e-3, 1e-4, 0.5)])
+def test_reduced_pressure_is_the_integral_of_the_fluidity(law):
+    p = np.array([-0.05, 1e-9, 0.1, 0.3, 0.6])
+    expected = [quad(lambda x: float(law.fluidity(np.array(x))[0]), 0, end, epsrel=1e-12, epsabs=0)[0] for end in p]
+    assert law.reduced_pressure(p) == pytest.approx(expected, rel=2e-7, abs=0)
+    # What is left of it keeps its digits where the liquid is all but solid.
+    step = 1e-5
+    slope = (law.reduced_pressure(p + step) - law.reduced_pressure(p - step)) / (2 * step)
+    assert slope == pytest.approx(law.fluidity(p)[0], rel=2e-6, abs=1e-12)
+
+
+@pytest.mark.parametrize("law", [Newtonian(), *LAWS])
+def test_weakened_to_nothing_is_constant_viscosity(law):
+    p = np.array([0.0, 0.2, 1.0])
+    assert law.weakened(0.0).viscosity(p) == pytest.approx(1)
+    assert law.weakened(0.0).reduced_pressure(p) == pytest.approx(p)
+    assert law.weakened(1.0) == law
+
+
+@pytest.mark.parametrize("law", [Barus(60.0), Roelands(60.0, 0.68, 0.06)])
+def test_flux_is_the_gradient_of_the_reduced_pressure(law):
+    """Under a uniform film the equation is Laplace's for q, whatever the fluidity does between two nodes (here e³⁰ in all)."""
+    grid = PolarGrid(24, 10)
+    operator = ReynoldsOperator.on(grid)
+    pressure = np.random.default_rng(2).random(grid.shape).ravel() / 2
+    film = np.full_like(pressure, 0.7)
+    constant = operator.residual(law.reduced_pressure(pressure), film, 0.3)
+    assert operator.residual(pressure, film, 0.3, law) == pytest.approx(constant, abs=1e-12 * np.abs(constant).max())
+
+
+def test_a_solid_liquid_carries_the_film_along_to_third_order():
+    """Without fluidity the equation is ∂u/∂x = 0, taken from upstream."""
+    errors = []
+    for n in (32, 64, 128):
+        grid = PolarGrid(3 * n, n, layer=0.25, side_layer=1.0)
+        x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
+        bump = np.exp(-((x - 0.3) ** 2) - y**2)
+        residual = ReynoldsOperator.on(grid).residual(np.full(x.size, 1.0), (2 + bump).ravel(), 1.0, Barus(200.0))
+        area = grid.r[:, None] * grid.dr_dxi(grid.r)[:, None] * grid.dtheta_ds(grid.s)
+        expected = area * 2 * (x - 0.3) * bump
+        within = (grid.r[: grid.n_r] > 0.3) & (grid.r[: grid.n_r] < 10)
+        errors.append(np.max(np.abs(residual.reshape(grid.n_r, -1) - expected[: grid.n_r])[within] / area[: grid.n_r][within]))
+    orders = np.log2(np.divide(errors[:-1], errors[1:]))
+    assert np.all(orders > 2.7), (errors, orders)
 
 
 def test_roelands_starts_like_barus_and_is_it_for_z_1():

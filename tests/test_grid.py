@@ -6,7 +6,13 @@ from scipy.integrate import quad
 
 from softlube.grid import PolarGrid
 
-GRIDS = [PolarGrid(20, 10), PolarGrid(60, 24, layer=0.005, side_layer=0.01), PolarGrid(30, 12, side_layer=1.0, edge=1.7)]
+GRIDS = [
+    PolarGrid(20, 10),
+    PolarGrid(60, 24, layer=0.005, side_layer=0.01),
+    PolarGrid(30, 12, side_layer=1.0, edge=1.7),
+    PolarGrid(80, 12, layer=0.02, crest=0.9),
+    PolarGrid(80, 12, crest=0.1, edge=1.7),
+]
 
 
 @pytest.mark.parametrize("grid", GRIDS)
@@ -54,6 +60,13 @@ def test_the_sides_have_the_finest_angles_at_a_logarithmic_price():
         assert interval.max() < 2.2 * (np.pi / 2 + np.log(4 / layer) / 2) / 96
 
 
+def test_a_crest_has_fine_cells():
+    width = np.diff(PolarGrid(90, 24, layer=0.25, crest=0.6).r_face)
+    r = PolarGrid(90, 24, layer=0.25, crest=0.6).r[:-1]
+    assert width[np.argmin(np.abs(r - 0.6))] < width[np.argmin(np.abs(r - 0.3))] / 3
+    assert width[np.argmin(np.abs(r - 0.6))] < width[np.argmin(np.abs(r - 1.0))] / 1.5
+
+
 def test_edge_has_the_finest_cells_and_scales():
     grid = PolarGrid(60, 24, layer=0.02)
     width = np.diff(grid.r_face)
@@ -62,7 +75,7 @@ def test_edge_has_the_finest_cells_and_scales():
 
 
 @pytest.mark.parametrize(
-    "bad", [{"n_r": 3}, {"n_theta": 2}, {"layer": 0.0}, {"side_layer": 0.0}, {"reach": 0.5}, {"edge": -1.0}]
+    "bad", [{"n_r": 3}, {"n_theta": 2}, {"layer": 0.0}, {"side_layer": 0.0}, {"reach": 0.5}, {"edge": -1.0}, {"crest": -0.1}]
 )
 def test_impossible_grids_are_refused(bad):
     with pytest.raises(ValueError, match="polar grid needs"):

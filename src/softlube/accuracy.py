@@ -14,6 +14,8 @@ LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
 more angles the larger β is; the second beyond `COARSE_BETA`."""
 REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg")
 """Quantities that carry an error but do not decide when the grid is fine enough."""
+SPIKE_BOUND = ("pressure_max", "boundary_layer", "friction_contact", "friction_domain", "shear_rate_max")
+"""Quantities that the tip of a pressure spike decides, or the viscosity in it: none where no grid resolves the spike."""
 FREE_BOUNDARY = {
     "load": 0.1,
     "load_contact": 0.1,

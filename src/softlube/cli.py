@@ -253,6 +253,8 @@ def rounded(value: float, error: float) -> tuple[str, str]:
     """Value and error as text, the value cut at the second significant digit of the error."""
     import math
 
+    if math.isnan(value):
+        return "none", "-"
     if not (math.isfinite(error) and error > 0):
         return f"{value:.6g}", "0" if error == 0 else "unknown"
     digits = 1 - math.floor(math.log10(error))
@@ -266,7 +268,7 @@ def _engineering(quantity: Quantity) -> tuple[str, str, str]:
     """Value, error and unit of an SI quantity with the prefix that suits it."""
     value, unit = float(quantity), quantity.unit
     factor, prefix = 1.0, ""
-    if unit in ("m", "N", "Pa", "Pa/m"):
+    if unit in ("m", "N", "Pa", "Pa/m") and value == value:
         factor, prefix = next((pair for pair in _PREFIXES if abs(value) < 1000 * pair[0]), _PREFIXES[-1])
     return *rounded(value / factor, quantity.error / factor), prefix + unit
 

@@ -231,7 +231,7 @@ class Contact(Materials):
     def interpret(self, solution: Solution) -> Solution:
         """A dimensionless solution of `problem` with SI quantities and warnings added."""
         dimensional = self.dimensional(solution.quantities)
-        return replace(solution, contact=self, dimensional=dimensional, warnings=self.doubts(dimensional))
+        return replace(solution, contact=self, dimensional=dimensional, warnings=solution.warnings + self.doubts(dimensional))
 
     def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
         """Quantities of `problem` in SI, Eqs. (4) and (26)."""

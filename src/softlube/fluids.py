@@ -1,20 +1,26 @@
 """What lies between: a fluid is a law of its viscosity against the pressure.
 
 Laws are normalised: η over the viscosity η₀ at zero pressure, pressures with 4πG√(unit of height/R) (E* in place of 4G).  The
-Reynolds equation has the fluidity φ = η₀/η as a factor of u³∇p, and its derivative in the Jacobian; shear stresses have η/η₀
-as a factor of the Couette part.  A new law is a new class here; nothing else in the package knows its name.
+Reynolds equation has the fluidity φ = η₀/η as a factor of u³∇p; with the reduced pressure q = ∫ φ dp (Grubin) that is u³∇q,
+bounded however steeply the viscosity rises.  Shear stresses have η/η₀ as a factor of the Couette part.  A new law is a new
+class here; nothing else in the package knows its name.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass, replace
-from typing import Any, ClassVar, Protocol
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicHermiteSpline
 
 Array = NDArray[np.floating]
 
@@ -24,6 +30,8 @@ ROELANDS_VISCOSITY = 6.31e-5
 """Viscosity [Pa s] that every Roelands fluid has at p = −`ROELANDS_PRESSURE`: ln η₀ + 9.67 = ln(η₀/6.31e-5)."""
 LARGEST_EXPONENT = 200.0
 """Bound of |ln η/η₀|, so that a wild iterate of Newton's method raises no overflow."""
+SMALLEST_RATIO, LARGEST_RATIO = 1e-3, 1e4
+"""Bounds of 1 + p/p₀ in Roelands' law, for the same reason."""
 
 
 class Fluid(Protocol):
@@ -41,6 +49,14 @@ class Fluid(Protocol):
 
     def fluidity(self, pressure: Array) -> tuple[Array, Array]:
         """φ = η₀/η(p) and dφ/dp."""
+        ...
+
+    def reduced_pressure(self, pressure: Array) -> Array:
+        """Grubin's q = ∫ φ dp from 0 to p; p itself for constant viscosity."""
+        ...
+
+    def weakened(self, share: float) -> Fluid:
+        """The law with a share (0 to 1) of its pressure dependence, for marching up to it; constant viscosity for 0."""
         ...
 
 
@@ -61,6 +77,14 @@ class Newtonian:
     def fluidity(self, pressure: Array) -> tuple[Array, Array]:
         """1 and 0."""
         return np.ones_like(pressure), np.zeros_like(pressure)
+
+    def reduced_pressure(self, pressure: Array) -> Array:
+        """The pressure itself."""
+        return pressure
+
+    def weakened(self, share: float) -> Newtonian:
+        """Itself: nothing depends on the pressure."""
+        return self
 
 
 def _checked(name: str, value: float) -> None:
@@ -96,6 +120,15 @@ class Barus:
         """e^{−αp} and its derivative."""
         value = np.exp(-np.clip(self.alpha * pressure, -LARGEST_EXPONENT, LARGEST_EXPONENT))
         return value, -self.alpha * value
+
+    def reduced_pressure(self, pressure: Array) -> Array:
+        """(1 − e^{−αp})/α."""
+        exponent = np.clip(self.alpha * pressure, -LARGEST_EXPONENT, LARGEST_EXPONENT)
+        return -np.expm1(-exponent) / self.alpha if self.alpha > 0 else pressure
+
+    def weakened(self, share: float) -> Barus:
+        """The law with a share of α."""
+        return replace(self, alpha=self.alpha * share)
 
 
 @dataclass(frozen=True)
@@ -148,7 +181,7 @@ class Roelands:
 
     def _logarithm(self, pressure: Array) -> tuple[Array, Array]:
         """Ln η/η₀ and its derivative."""
-        ratio = np.maximum(1 + pressure / self.reference, 1e-3)
+        ratio = np.maximum(1 + pressure / self.reference, SMALLEST_RATIO)
         power = ratio ** (self.exponent - 1)
         value = self.alpha * self.reference / self.exponent * (power * ratio - 1)
         return np.clip(value, -LARGEST_EXPONENT, LARGEST_EXPONENT), self.alpha * power
@@ -162,6 +195,47 @@ class Roelands:
         value, slope = self._logarithm(pressure)
         fluidity = np.exp(-value)
         return fluidity, -slope * fluidity
+
+    def reduced_pressure(self, pressure: Array) -> Array:
+        """∫ φ dp, by Gauss's rule where αp is small, else from a table of the logarithm of what is left of it."""
+        x, weight = leggauss(8)
+        near = self.fluidity(np.asarray(pressure)[..., None] * (x + 1) / 2)[0] @ weight / 2 * pressure
+        start, spline = _roelands_rest(self.alpha * self.reference, self.exponent)
+        ratio = np.clip(1 + pressure / self.reference, SMALLEST_RATIO, LARGEST_RATIO)
+        far = self.reference * (start - np.exp(spline(np.log(ratio))))
+        return np.where((self.alpha * pressure < 0.5) & (pressure < self.reference), near, far)
+
+    def weakened(self, share: float) -> Roelands:
+        """The law with a share of α."""
+        return replace(self, alpha=self.alpha * share)
+
+
+@lru_cache(maxsize=32)
+def _roelands_rest(steepness: float, exponent: float) -> tuple[float, CubicHermiteSpline]:
+    """∫ φ dp/p₀ from p upwards, which keeps its digits where φ is 10⁻²⁰: its value at p = 0, its logarithm over ln(1 + p/p₀).
+
+    Parameters
+    ----------
+    steepness : float
+        αp₀.
+    exponent : float
+        z.
+    """
+    from scipy.interpolate import CubicHermiteSpline  # slow to import, and few ask for it
+
+    knots = np.linspace(np.log(SMALLEST_RATIO), np.log(LARGEST_RATIO), 6001)
+    x, weight = leggauss(6)
+    points = knots[:-1, None] + np.diff(knots)[:, None] * (x + 1) / 2
+
+    def fluidity(log_ratio: Array) -> Array:
+        value = steepness / exponent * np.expm1(exponent * log_ratio)
+        return np.exp(-np.clip(value, -LARGEST_EXPONENT, LARGEST_EXPONENT) + log_ratio)
+
+    parts = fluidity(points) @ weight * np.diff(knots) / 2
+    # Beyond the table the liquid counts as solid to double precision, or the law is no longer one.
+    rest = np.cumsum(np.append(parts, fluidity(knots[-1:]))[::-1])[::-1]
+    spline = CubicHermiteSpline(knots, np.log(rest), -fluidity(knots) / rest)
+    return float(np.exp(spline(0.0))), spline
 
 
 KINDS = {cls.kind: cls for cls in (Newtonian, Barus, Roelands)}

@@ -22,6 +22,9 @@ RIM = 2
 THINNING, WIDE = 0.8, 2.0
 """How much the mesh is thinned beyond the contact, and from where (over the contact radius)."""
 
+CREST_LAYER = 0.05
+"""Width of the refined zone at a crest of the pressure within the contact (over the contact radius)."""
+
 
 @dataclass(frozen=True)
 class PolarGrid:
@@ -29,8 +32,8 @@ class PolarGrid:
 
     Radially, with ρ = r/`edge` and d = `layer`, ξ(r) = asinh((ρ − 1)/d) + asinh((ρ + 1)/d) − 0.8 asinh(ρ/2): cells are about d
     wide (over `edge`, in units of Δξ) at the contact edge and grow in proportion to the distance from it, faster far outside
-    where the pressure is a power of r.  ξ is odd in r, so the mesh continues smoothly through the centre to the opposite
-    side, (−r, θ) = (r, π − θ).
+    where the pressure is a power of r.  A `crest` adds a second zone of the same kind.  ξ is odd in r, so the mesh continues
+    smoothly through the centre to the opposite side, (−r, θ) = (r, π − θ).
 
     Angularly, ds/dθ ∝ 1 + c/√(w² + cos²θ) with w = `side_layer` and c = `crowding`: intervals shrink in proportion to the
     distance from 90°, down to a zone of angle w around it.  The number of angles that it takes to resolve a layer thus grows
@@ -50,6 +53,8 @@ class PolarGrid:
         Outer radius of the last cell, relative to `edge`.
     edge : float
         Radius of the contact edge in the units of the problem.
+    crest : float
+        Radius, relative to `edge`, at which the mesh is refined once more, down to `CREST_LAYER`; 0 for nowhere.
     """
 
     n_r: int
@@ -59,12 +64,15 @@ class PolarGrid:
     crowding: float = 0.5
     reach: float = 20.0
     edge: float = 1.0
+    crest: float = 0.0
 
     def __post_init__(self) -> None:
         if self.n_r < 8 or self.n_theta < 6:
             raise ValueError(f"a polar grid needs n_r >= 8 and n_theta >= 6, not {self.n_r} x {self.n_theta}")
         if not min(self.layer, self.side_layer, self.crowding, self.reach - 1, self.edge) > 0:
             raise ValueError("a polar grid needs layer > 0, side_layer > 0, crowding > 0, reach > 1 and edge > 0")
+        if not 0 <= self.crest < self.reach:
+            raise ValueError("a polar grid needs a crest between 0 and its reach")
 
     # --- radial direction -------------------------------------------------------------------------------------------
 
@@ -72,6 +80,8 @@ class PolarGrid:
         """Uniform radial coordinate ξ of radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
         edges = np.arcsinh((rho - 1) / self.layer) + np.arcsinh((rho + 1) / self.layer)
+        if self.crest:
+            edges = edges + np.arcsinh((rho - self.crest) / CREST_LAYER) + np.arcsinh((rho + self.crest) / CREST_LAYER)
         return edges - THINNING * np.arcsinh(rho / WIDE)
 
     def r_of(self, xi: ArrayLike) -> Array:
@@ -79,6 +89,10 @@ class PolarGrid:
         xi = np.asarray(xi, dtype=float)
         d = self.layer
         table = 1 + d * np.sinh(np.linspace(-np.arcsinh(1 / d), np.arcsinh(2 * self.reach / d), 800))
+        if self.crest:
+            # Newton's method needs a table that has seen the crest's zone.
+            near = self.crest + CREST_LAYER * np.sinh(np.linspace(-2.5, 2.5, 101))
+            table = np.union1d(table, near[near > 0])
         table[0] = 0
         rho = np.interp(np.abs(xi), self.xi_of(table * self.edge), table)
         for _ in range(20):
@@ -92,6 +106,8 @@ class PolarGrid:
         """Derivative dr/dξ at radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
         density = 1 / np.hypot(self.layer, rho - 1) + 1 / np.hypot(self.layer, rho + 1) - THINNING / np.hypot(WIDE, rho)
+        if self.crest:
+            density = density + 1 / np.hypot(CREST_LAYER, rho - self.crest) + 1 / np.hypot(CREST_LAYER, rho + self.crest)
         return self.edge / density
 
     @cached_property

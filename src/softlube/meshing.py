@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from softlube.dry import DryContact, dry_contact_at
+from softlube.fields import Fields
 from softlube.grid import PolarGrid
-from softlube.limits import HERTZ_LOAD
+from softlube.limits import HERTZ_LOAD, HERTZ_PRESSURE
 from softlube.problem import Problem
+from softlube.spike import outlet_crest
 
 RADIAL_STEP = 5.2
 """Spacing of ξ times the number of angular intervals."""
@@ -16,13 +18,18 @@ RADIAL_STEP_LIGHT = 3.5
 LIGHT = 50.0
 """β below which a sphere hardly touches."""
 RADIAL_STEP_SUCTION = 3.2
-MODERATE = 3e4
-"""The same for a contact without the Reynolds condition at moderate β: the suction behind it is narrower than the layer at its
+"""The same up to `DEEP_BETA` without the Reynolds condition: the suction behind the contact is narrower than the layer at its
 edge."""
 DEEP_BETA = 3e4
 """β beyond which the layer at the sides is what is hardest to resolve."""
 TOUCHING = 4.5
 """β_load at which h₀ = 0 under the Reynolds condition, about."""
+THICK = 2.5
+"""ln η/η₀ under a dry contact's largest pressure beyond which a spike may stand at the outlet."""
+THICKEST = 55.0
+"""The same, up to which the march in the viscosity is known to arrive."""
+CREST_STEP = 0.02
+"""Crests of meshes are multiples of this, so that neighbouring problems share a grid and its elastic operator."""
 
 
 def unit_for(problem: Problem) -> float:
@@ -57,8 +64,21 @@ def over_a_gap(problem: Problem) -> bool:
     return problem.height >= 0 or (problem.load_controlled and unit_for(problem) > 1.01 * dry_under(problem).radius ** 2)
 
 
-def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
-    """Grid with the refinement that β calls for.
+def thickening(problem: Problem) -> float:
+    """Ln η/η₀ at the largest pressure of the dry contact, (2/π²)√(indentation) on a half-space."""
+    highest = HERTZ_PRESSURE * np.sqrt(dry_under(problem).indentation)
+    return float(np.log(problem.fluid.viscosity(np.array([highest]))[0]))
+
+
+def crest_of(problem: Problem, fields: Fields) -> float:
+    """Radius of the pressure's crest on the outlet axis, over the mesh's unit of length, where it may be a spike; else 0."""
+    if thickening(problem) < THICK or over_a_gap(problem):
+        return 0.0
+    return CREST_STEP * round(outlet_crest(fields) / np.sqrt(unit_for(problem)) / CREST_STEP)
+
+
+def grid_for(problem: Problem, n_theta: int, crest: float = 0.0) -> PolarGrid:
+    """Grid with the refinement that β calls for, and a second refined zone at a `crest`, see `crest_of`.
 
     The layers at the contact edge are β^(−2/5) wide at the inlet and outlet and β^(−1/2) at the sides, where they take an
     angle of β^(−1/4).  The grading changes in steps of 2 (of √2 in angle), so that neighbouring β share a grid and its elastic
@@ -75,9 +95,10 @@ def grid_for(problem: Problem, n_theta: int) -> PolarGrid:
         side_layer=float(min((2.4 if deep else 1.4) * 2.0 ** (octave * 0.625), 1.0)),
         crowding=1.2 if deep else 0.7,
         reach=60.0 if gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap
+        crest=crest,
     )
     step = RADIAL_STEP_LIGHT if beta < LIGHT else RADIAL_STEP
-    if problem.cavitation == "none" and not gap and beta < MODERATE:
+    if problem.cavitation == "none" and not gap and not deep:
         step = RADIAL_STEP_SUCTION
     return grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / step)), n_theta)
 

@@ -62,7 +62,7 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
         return float(dimensional[name]) / float(quantities[name])
 
     film_factor, film_unit = _prefixed(float(dimensional["film_center"]), "m")
-    pressure_factor, pressure_unit = _prefixed(float(dimensional["pressure_max"]), "Pa")
+    pressure_factor, pressure_unit = _prefixed(_highest(solution) * scale("pressure_center"), "Pa")
     length_factor, length_unit = _prefixed(float(dimensional["contact_radius"]) * _width(solution), "m")
     return (
         float(dimensional["contact_radius"]) * length_factor,
@@ -72,6 +72,12 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
         scale("pressure_center") * pressure_factor,
         f"pressure $p$ [{pressure_unit}]",
     )
+
+
+def _highest(solution: Solution) -> float:
+    """The maximum pressure, or that on the nodes where a spike has none."""
+    highest = float(solution.quantities["pressure_max"])
+    return highest if np.isfinite(highest) else float(solution.fields.pressure.max())
 
 
 def _width(solution: Solution) -> float:
@@ -198,7 +204,7 @@ def _profile(ax: Axes, solution: Solution, direction: str) -> None:
     other.set_ylabel(pressure_label, color=PRESSURE_COLOUR)
     other.tick_params(axis="y", colors=PRESSURE_COLOUR)
     if solution.problem.cavitation == "reynolds":
-        other.set_ylim(0, 1.15 * float(solution.quantities["pressure_max"]) * pressure)
+        other.set_ylim(0, 1.15 * _highest(solution) * pressure)
 
 
 def _dense_line(solution: Solution) -> NDArray[np.float64]:

@@ -2,8 +2,8 @@
 
     ∇·(φu³∇p) + (1/β) ∂u/∂x = 0,
 
-φ = η₀/η(p) the fluid's fluidity, 1 in the paper.  In the uniform coordinates (ξ, s) the flux q = φu³∇p + (u/β) e_x balances
-as ∂_ξ(θ′ r q_r) + ∂_s(r′ q_θ) = 0 with r′ = dr/dξ and
+φ = η₀/η(p) the fluid's fluidity, 1 in the paper, and φ∇p = ∇q with the reduced pressure q of `softlube.fluids`.  In the
+uniform coordinates (ξ, s) the flux f = u³∇q + (u/β) e_x balances as ∂_ξ(θ′ r f_r) + ∂_s(r′ f_θ) = 0 with r′ = dr/dξ and
 θ′ = dθ/ds.  Fluxes live on the faces of the cells: gradient and film come from the four nearest nodes, the divergence from the
 four nearest faces.  The metric factors of the Couette flux are differences of sin θ and r themselves, so that a uniform film
 carries no pressure, exactly.
@@ -43,6 +43,11 @@ def scaled_rows(matrix: Sparse, factor: Array) -> Sparse:
     return sparse.csr_array(
         (matrix.data * np.repeat(factor, np.diff(matrix.indptr)), matrix.indices, matrix.indptr), matrix.shape
     )
+
+
+def scaled_columns(matrix: Sparse, factor: Array) -> Sparse:
+    """The columns of a sparse matrix times a factor each."""
+    return sparse.csr_array((matrix.data * factor[matrix.indices], matrix.indices, matrix.indptr), matrix.shape)
 
 
 def _radial(formula: dict[int, float], n_out: int, n_in: int, first: int, mirror: int) -> tuple[Array, Array]:
@@ -159,41 +164,47 @@ class ReynoldsOperator:
         speed : float
             1/β, the normalised speed.
         fluid : Fluid
-            Its fluidity is taken at the pressure on the faces.
+            Of its reduced pressure q the flux is u³∇q.
 
         Notes
         -----
+        A difference of the pressure times a fluidity between the nodes is wrong where the fluidity falls by orders of
+        magnitude from one to the next, and lets the solution hang on which node is highest; a difference of q is bounded.
+
         Where the fluidity goes to zero nothing but ∂u/∂x is left of the equation, and a central formula does not see a film
         that alternates from node to node.  So the film that is carried along is taken from upstream there, with the weight
         1 − φ: not at all for constant viscosity.
         """
         balance = 0.0
         for face in self._faces(pressure, film, fluid):
-            poiseuille = face.conductance * face.film**3 * face.fluidity * face.gradient
+            poiseuille = face.conductance * face.film**3 * face.gradient
             balance = balance + face.divergence @ (poiseuille + speed * face.drag * (face.film + face.weight * face.bias))
         return -np.asarray(balance)
 
     def derivatives(self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT) -> tuple[Sparse, Sparse]:
         """Exact derivatives of `residual` by pressure and by film, each (unknown nodes, all nodes), sparse."""
         shape = (self.divergence[0].shape[0], self.slope[0].shape[1])
-        by_pressure, by_film = sparse.csr_array(shape), sparse.csr_array(shape)
+        by_pressure, by_film, by_weight = sparse.csr_array(shape), sparse.csr_array(shape), sparse.csr_array(shape)
+        fluidity, thickening = fluid.fluidity(pressure)  # q′(p) and its change
         for face in self._faces(pressure, film, fluid):
             mobility = face.conductance * face.film**3
-            transport = 3 * face.conductance * face.film**2 * face.fluidity * face.gradient + speed * face.drag
-            flux_p, flux_u = scaled_rows(face.slope, mobility * face.fluidity), scaled_rows(face.midpoint, transport)
-            if np.any(face.thickening):
-                other = mobility * face.gradient - np.where(face.weight > 0, speed * face.drag * face.bias, 0.0)
-                flux_p = Sparse(flux_p + scaled_rows(face.midpoint, face.thickening * other))
+            transport = 3 * face.conductance * face.film**2 * face.gradient + speed * face.drag
+            flux_p, flux_u = scaled_rows(face.slope, mobility), scaled_rows(face.midpoint, transport)
+            if np.any(face.weight):
                 flux_u = Sparse(flux_u + scaled_rows(face.upstream, speed * face.drag * face.weight))
+                steep = np.where((face.weight > 0) & (face.weight < 1), speed * face.drag * face.bias, 0.0)
+                by_weight = by_weight - face.divergence @ scaled_rows(face.midpoint, steep)
             by_pressure = by_pressure - face.divergence @ flux_p
             by_film = by_film - face.divergence @ flux_u
-        return by_pressure, by_film
+        if not np.any(thickening):
+            return by_pressure, by_film
+        return Sparse(scaled_columns(by_pressure, fluidity) + scaled_columns(by_weight, -thickening)), by_film
 
     def _faces(self, pressure: Array, film: Array, fluid: Fluid) -> Iterator[_Faces]:
         """What both need on the radial faces, then on the angular ones."""
         parts = (self.slope, self.midpoint, self.upstream, self.divergence, self.conductance, self.drag)
+        reduced, fluidity = fluid.reduced_pressure(pressure), fluid.fluidity(pressure)[0]
         for slope, midpoint, upstream, divergence, conductance, drag in zip(*parts, strict=True):
-            fluidity, thickening = fluid.fluidity(midpoint @ pressure)
             yield _Faces(
                 slope,
                 midpoint,
@@ -202,11 +213,9 @@ class ReynoldsOperator:
                 conductance,
                 drag,
                 film=midpoint @ film,
-                gradient=slope @ pressure,
+                gradient=slope @ reduced,
                 bias=upstream @ film,
-                fluidity=fluidity,
-                thickening=thickening,
-                weight=np.maximum(1 - fluidity, 0.0),
+                weight=np.clip(1 - midpoint @ fluidity, 0.0, 1.0),
             )
 
 
@@ -223,6 +232,4 @@ class _Faces:
     film: Array
     gradient: Array
     bias: Array
-    fluidity: Array
-    thickening: Array
     weight: Array

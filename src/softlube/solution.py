@@ -212,7 +212,7 @@ class Solution:
 
         def plain(quantities: Mapping[str, Quantity], unit: bool) -> dict[str, dict[str, Any]]:
             return {
-                name: {"value": q.value, "error": _number(q.error), **({"unit": q.unit} if unit else {})}
+                name: {"value": _number(q.value), "error": _number(q.error), **({"unit": q.unit} if unit else {})}
                 for name, q in quantities.items()
             }
 

@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
-from softlube.accuracy import COARSE_BETA, estimate_errors, floors_for, looser, unresolved
-from softlube.continuation import march
+from softlube.accuracy import COARSE_BETA, SPIKE_BOUND, estimate_errors, floors_for, looser, unresolved
+from softlube.continuation import march, thicken
 from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
 from softlube.fluids import Fluid, Newtonian
 from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD
-from softlube.meshing import dry_under, first_height, grid_for, like_hertz, unit_for
-from softlube.newton import Iteration, NewtonResult, newton
+from softlube.meshing import THICK, THICKEST, crest_of, dry_under, first_height, grid_for, like_hertz, thickening, unit_for
+from softlube.newton import Iteration, newton
 from softlube.problem import Problem
 from softlube.quantities import measure
 from softlube.solution import Level, Quantity, Solution
+from softlube.spike import OPEN_SPIKE, is_open, outlet_crest
 from softlube.substrates import HalfSpace, Substrate
 from softlube.system import ContactSystem
 
@@ -31,6 +32,8 @@ DEFAULT_ACCURACY = 1e-3
 LADDER = (12, 18, 26, 39, 58)
 """Angular intervals of the nested grids, coarse to fine."""
 FIRST_ANGLES = 18
+SPIKE_ANGLES = 39
+"""What a spike is resolved with, or by no grid of the ladder."""
 COARSE_TOLERANCE, FINE_TOLERANCE = 1e-4, 1e-6
 """Of Newton's method: on grids of so many angles, which mostly start the next ones, and on those that give numbers."""
 FINEST_ACCURACY = 1.4e-4
@@ -60,12 +63,13 @@ def fields_of(system: ContactSystem, x: Array) -> Fields:
 
 
 def prolong(x: Array, coarse: PolarGrid, fine: PolarGrid, problem: Problem) -> Array:
-    """Interpolate unknowns from one grid to another of the same grading."""
+    """Interpolate unknowns from one grid to another."""
     values = x[: coarse.n_unknown].reshape(coarse.n_r, -1)
     mirrored = np.concatenate([values[:2][::-1, ::-1], values])
     xi = (np.arange(-2, coarse.n_r) + 0.5) * coarse.d_xi
-    spline = RectBivariateSpline(xi, coarse.s, mirrored, kx=3, ky=3, s=0)
-    result = spline(np.minimum(fine.xi[: fine.n_r], xi[-1]), fine.s)
+    degree = 1 if thickening(problem) > THICK else 3  # a cubic rings at a spike, and the viscosity with it
+    spline = RectBivariateSpline(xi, coarse.s, mirrored, kx=degree, ky=degree, s=0)
+    result = spline(np.minimum(coarse.xi_of(fine.r[: fine.n_r]), xi[-1]), coarse.s_of(fine.theta))
     if problem.cavitation == "reynolds":
         result = np.maximum(result, 0)
     return np.append(result.ravel(), x[-1]) if problem.load_controlled else result.ravel()
@@ -84,8 +88,19 @@ class Solved:
 def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solved:
     """Solve on one grid, from a given first guess or from the system's own."""
     began = time.perf_counter()
-    system = ContactSystem(problem, grid, unit_for(problem))
     history: list[Iteration] = []
+    x = _unknowns(problem, grid, start, history)
+    fields = fields_of(ContactSystem(problem, grid, unit_for(problem)), x)
+    level = Level(grid.n_r, grid.n_theta, measure(fields), tuple(history), time.perf_counter() - began, fields)
+    return Solved(level, fields, x, grid)
+
+
+def _unknowns(problem: Problem, grid: PolarGrid, start: Array | None, history: list[Iteration]) -> Array:
+    """The converged unknowns; Newton's steps are added to `history`."""
+    steep = thickening(problem) > THICK
+    if start is None and steep:
+        return _thickened(problem, grid, history)
+    system = ContactSystem(problem, grid, unit_for(problem))
     if start is None:
         start = system.start(first_height(problem) / system.scale)
         if like_hertz(problem) > DEEP and problem.load_controlled:
@@ -103,11 +118,20 @@ def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solve
             start = np.append(held.x, -depth / system.scale)
     result = newton(system, start, tolerance=COARSE_TOLERANCE if grid.n_theta <= FIRST_ANGLES else FINE_TOLERANCE)
     history += result.history
-    if not result.converged:
-        result = _second_attempt(problem, grid, history)
-    fields = fields_of(system, result.x)
-    level = Level(grid.n_r, grid.n_theta, measure(fields), tuple(history), time.perf_counter() - began, fields)
-    return Solved(level, fields, result.x, grid)
+    if result.converged:
+        return result.x
+    return _thickened(problem, grid, history) if steep else _second_attempt(problem, grid, history)
+
+
+def _thickened(problem: Problem, grid: PolarGrid, history: list[Iteration]) -> Array:
+    """Solve with constant viscosity, then march up to the problem's own liquid."""
+    plain = _unknowns(replace(problem, fluid=problem.fluid.weakened(0.0)), grid, None, history)
+    result = None
+    for result in thicken(problem, grid, plain, thickening(problem), scale=unit_for(problem)):
+        history += result.history
+    if result is None or not result.converged:
+        raise _not_converged(problem, grid, history)
+    return result.x
 
 
 def _other_unit(problem: Problem, fields: Fields) -> float:
@@ -115,34 +139,40 @@ def _other_unit(problem: Problem, fields: Fields) -> float:
     return -fields.height if problem.load_controlled else float((fields.load / HERTZ_LOAD) ** (2 / 3))
 
 
-def _second_attempt(problem: Problem, grid: PolarGrid, history: list[Iteration]) -> NewtonResult:
+def _second_attempt(problem: Problem, grid: PolarGrid, history: list[Iteration]) -> Array:
     """March in β where the direct start failed."""
     result = None
     pressed = dry_under(problem).radius ** 2
     for result in march(problem, grid, scale=pressed) if unit_for(problem) == pressed else ():
         history += result.history
     if result is None or not result.converged:
-        last = history[-1] if history else Iteration(np.nan, np.nan, 0, 0)
-        name = "beta_load" if problem.load_controlled else "beta"
-        raise NotConvergedError(
-            f"Newton's method did not converge at {name} = {problem.parameter:.4g} "
-            f"on {grid.n_r} x {grid.n_theta} cells: after {len(history)} steps the last was {last.step:.1e} "
-            f"(fraction {last.fraction:.2g}). Try another accuracy (it changes the grid), or report the input."
-        )
-    return result
+        raise _not_converged(problem, grid, history)
+    return result.x
+
+
+def _not_converged(problem: Problem, grid: PolarGrid, history: Sequence[Iteration]) -> NotConvergedError:
+    last = history[-1] if history else Iteration(np.nan, np.nan, 0, 0)
+    name = "beta_load" if problem.load_controlled else "beta"
+    return NotConvergedError(
+        f"Newton's method did not converge at {name} = {problem.parameter:.4g} "
+        f"on {grid.n_r} x {grid.n_theta} cells: after {len(history)} steps the last was {last.step:.1e} "
+        f"(fraction {last.fraction:.2g}). Try another accuracy (it changes the grid), or report the input."
+    )
 
 
 def climb(problem: Problem) -> Iterator[Solved]:
     """Solve on ever finer grids, each starting from the one before."""
-    start, coarse = None, None
+    start, coarse, crest = None, None, 0.0
     # Twelve intervals cannot hold the layers of a very large β together.
     for n_theta in LADDER[1:] if like_hertz(problem) > COARSE_BETA else LADDER:
-        grid = grid_for(problem, n_theta)
+        grid = grid_for(problem, n_theta, crest)
         if start is not None and coarse is not None:
             start = prolong(start, coarse, grid, problem)
         solved = solve_level(problem, grid, start)
         yield solved
         start, coarse = solved.x, grid
+        if n_theta == FIRST_ANGLES:  # the coarsest that sees where it will stand
+            crest = crest_of(problem, solved.fields)
 
 
 def solve(
@@ -238,8 +268,11 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
             progress(f"{rung.grid.n_r} x {rung.grid.n_theta} cells solved in {rung.level.seconds:.2f} s")
         if len(solved) < 2:
             continue
-        errors = _errors(problem, solved)
-        worst = unresolved(rung.level.values, errors, accuracy, looser(problem))
+        missing = withheld(rungs(solved))
+        if missing and rung.grid.n_theta < SPIKE_ANGLES:
+            continue
+        known = {name: error for name, error in _errors(problem, solved).items() if name not in missing}
+        worst = unresolved(rung.level.values, known, accuracy, looser(problem))
         if not worst:
             return solution_of(problem, solved, accuracy)
     reached = ", ".join(f"{name} {value:.1e}" for name, value in sorted(worst.items(), key=lambda item: -item[1])[:3])
@@ -257,6 +290,17 @@ def _check_range(problem: Problem) -> None:
             f"{name} = {problem.parameter:.4g} is outside the range that is resolved, {bounds}. Beyond it the limits of "
             "softlube.limits hold: a rigid sphere below, a Hertz contact above."
         )
+    if (rise := thickening(problem)) > THICKEST:
+        raise NotConvergedError(
+            f"the viscosity would rise by a factor of e^{rise:.0f} under the dry contact's pressure; contacts are solved up to "
+            f"e^{THICKEST:.0f} (docs/viscosity.md)"
+        )
+
+
+def withheld(levels: Sequence[Level]) -> tuple[str, ...]:
+    """Quantities that are not given, because there is a spike that the finest grid does not resolve."""
+    finest = levels[-1].fields
+    return SPIKE_BOUND if finest is not None and is_open(finest) else ()
 
 
 def _errors(problem: Problem, solved: Sequence[Solved]) -> dict[str, float]:
@@ -272,7 +316,17 @@ def normalised_otherwise(problem: Problem, levels: Sequence[Level]) -> dict[str,
     histories = [measure(each.in_units(_other_unit(problem, each))) for each in fields]
     exact = "height" if problem.load_controlled else "load"
     errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact)
-    return {name: Quantity(value, errors[name]) for name, value in histories[-1].items()}
+    return _quantities(histories[-1], errors, withheld(levels))
+
+
+def _quantities(values: Mapping[str, float], errors: Mapping[str, float], missing: Sequence[str]) -> dict[str, Quantity]:
+    """Values with their errors; nan for those that are not given."""
+    return {name: Quantity(np.nan) if name in missing else Quantity(value, errors[name]) for name, value in values.items()}
+
+
+def rungs(solved: Sequence[Solved]) -> tuple[Level, ...]:
+    """What the grids gave."""
+    return tuple(rung.level for rung in solved)
 
 
 def solution_of(problem: Problem, solved: Sequence[Solved], accuracy: float) -> Solution:
@@ -280,7 +334,8 @@ def solution_of(problem: Problem, solved: Sequence[Solved], accuracy: float) -> 
     finest = solved[-1]
     fields = finest.fields
     errors = _errors(problem, solved)
-    quantities = {name: Quantity(value, errors[name]) for name, value in finest.level.values.items()}
+    missing = withheld(rungs(solved))
+    quantities = _quantities(finest.level.values, errors, missing)
     # Eq. (29): the load N̄ has the Hertz indentation δ = |h₀| (N̄/(4/3π))^(2/3), and β_load goes with δ².
     return Solution(
         problem=problem,
@@ -289,5 +344,6 @@ def solution_of(problem: Problem, solved: Sequence[Solved], accuracy: float) -> 
         beta=fields.beta * fields.height**2,
         beta_load=fields.beta * max(fields.load / HERTZ_LOAD, 0.0) ** (4 / 3),
         accuracy=accuracy,
-        levels=tuple(rung.level for rung in solved),
+        levels=rungs(solved),
+        warnings=(OPEN_SPIKE.format(outlet_crest(fields)),) if missing else (),
     )

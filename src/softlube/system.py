@@ -26,6 +26,9 @@ Mask = NDArray[np.bool_]
 
 FILM_KEPT = 0.5
 """A step may lower the film to this fraction of itself at most, anywhere."""
+LARGEST_THINNING = 3.0
+"""A step may lower ln η by this much at most, anywhere.  Newton's method takes q for linear in the pressure, and where the
+fluidity is 10⁻¹⁰ that says that nothing flows however far the pressure falls."""
 
 
 @lru_cache(maxsize=8)
@@ -215,9 +218,11 @@ class LinearisedContact:
         return max(film, float(np.max(np.abs(step[:n])) / np.max(np.abs(self.x[:n]), initial=1e-300)))
 
     def longest_step(self, step: Array) -> float:
-        """Fraction of the step down to which the film keeps `FILM_KEPT` of its thickness everywhere."""
+        """Fraction of the step down to which the film keeps `FILM_KEPT` of its thickness and the liquid its viscosity."""
+        n = self.system.grid.n_unknown
         change = self.system.film_change(step)
         falling = change < 0
-        if not falling.any():
-            return 1.0
-        return min(1.0, float(np.min((1 - FILM_KEPT) * self.film[falling] / -change[falling])))
+        film = float(np.min((1 - FILM_KEPT) * self.film[falling] / -change[falling], initial=1.0))
+        fluidity, slope = self.system.fluid.fluidity(self.x[:n])
+        thinning = float(np.max(slope / fluidity * step[:n], initial=0.0))
+        return min(film, LARGEST_THINNING / thinning) if thinning > LARGEST_THINNING else film
