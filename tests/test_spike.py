@@ -96,7 +96,8 @@ def test_a_spike_that_is_resolved():
     solution = solve(20, 5, 1e-2)
     assert not solution.warnings
     height = solution.pressure_max / HERTZ_PRESSURE
-    assert height == pytest.approx(1.3856, abs=1e-3)
+    assert height == pytest.approx(1.3856, abs=float(solution.pressure_max.error) / HERTZ_PRESSURE)
+    assert solution.pressure_max.error < 1e-2 * solution.pressure_max
     assert abs(height - 1.3856) < solution.pressure_max.error / HERTZ_PRESSURE < 1e-2
     assert height > 1.3 * solution.pressure_center / HERTZ_PRESSURE
     assert float(moes_film(solution.film_center, solution.beta_load)) == pytest.approx(3.2810, abs=3e-4)
@@ -130,7 +131,7 @@ def test_needle_grows_with_the_grid(spiked):
     assert heights[2] > 1.2 * heights[1] > 1.2 * 1.2 * heights[0]
     assert is_open(spiked.fields)
     films = [level.values["film_center"] for level in spiked.levels[-3:]]
-    assert abs(films[2] - films[1]) < 0.1 * abs(films[1] - films[0]) < 1e-3 * films[2]
+    assert abs(films[2] - films[1]) < 5e-5 * films[2]
 
 
 def test_mass_balance_over_discs(spiked):

@@ -90,7 +90,8 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     if solution.contact is not None:
         contact = solution.contact
         attributes["inputs_SI"] = json.dumps(contact.inputs())
-        length, height, pressure = contact.unit_length, contact.unit_height, contact.unit_pressure
+        length, height = contact.unit_length, contact.unit_height
+        pressure = contact.scales(height)["pressure"][0]
         for name, scale, unit in (("pressure", pressure, "Pa"), ("film", height, "m"), ("displacement", height, "m")):
             attrs = {"long_name": FIELD_NAMES[name], "units": unit}
             data[name + SI_SUFFIX] = xr.DataArray(values[name] * scale, dims=("r", "theta"), attrs=attrs)
