@@ -17,7 +17,7 @@ REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg")
 SPIKE_BOUND = ("pressure_max", "boundary_layer", "friction_contact", "friction_domain", "shear_rate_max")
 """Quantities that the tip of a pressure spike decides, or the viscosity in it: none where no grid resolves the spike."""
 FREE_BOUNDARY = {
-    "load": 0.1,
+    "load": 0.15,
     "load_contact": 0.1,
     "height": 0.05,
     "film_center": 0.03,
