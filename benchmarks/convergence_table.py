@@ -30,6 +30,7 @@ COLUMNS = {
     "boundary_layer": "boundary layer",
     "friction_contact": "friction r≤1",
     "friction_domain": "friction r≤2",
+    "shear_rate_max": "max shear",
 }
 
 
