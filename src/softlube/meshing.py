@@ -86,7 +86,7 @@ def grid_for(problem: Problem, n_theta: int, crest: float = 0.0) -> PolarGrid:
     """
     gap = over_a_gap(problem)
     beta = 1.0 if gap else max(like_hertz(problem), 1.0)
-    octave = np.round(np.log2(beta**-0.4))
+    octave = np.round(np.log2(beta**-0.4) - 0.2)  # a little early: too fine costs less than too coarse
     deep = beta > DEEP_BETA
     grid = PolarGrid(
         n_r=8,
