@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import App, CycloptsError, Group, Parameter, UnknownOptionError
@@ -11,10 +11,7 @@ from cyclopts import App, CycloptsError, Group, Parameter, UnknownOptionError
 from softlube.commands.inputs import Physical, Sliding
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
-    from softlube.problem import Problem
-    from softlube.solution import Quantity, Solution
+    from softlube.solution import Solution
 
 EXIT_INPUT = 2
 EXIT_NOT_CONVERGED = 3
@@ -39,6 +36,18 @@ app = App(
 app.command("softlube.commands.sweep:sweep", name="sweep", help="Solve many contacts; every finished one is kept.")
 app.command("softlube.commands.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")
 app.command("softlube.commands.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")
+app.command("softlube.commands.curve:curve", name="curve", help="Print or draw any quantity as a function of β, at once.")
+app.command(
+    "softlube.commands.reproduce:reproduce",
+    name="reproduce",
+    help="Draw the paper's figures and report our numbers beside its.",
+)
+app.command("softlube.commands.flow:flow", name="flow", help="Draw the flow in the gap: streamlines, velocities, wall shear.")
+app.command(
+    "softlube.commands.squeeze:squeeze",
+    name="squeeze",
+    help="Press a sphere through a film, or pull it away: film, pressure and load against time.",
+)
 
 _DIMENSIONLESS = Group("Dimensionless contact", sort_key=2)
 _METHOD = Group("Method", sort_key=3)
@@ -195,9 +204,11 @@ def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: s
         return 0
     from rich.console import Console
 
+    from softlube.commands.table import solution_table
+
     console = Console(highlight=False, soft_wrap=True)
     console.print(f"{name} = {problem.parameter:.5g}, read off the master curve: not solved", markup=False)
-    console.print(_table(problem, quantities, dimensional), soft_wrap=False)
+    console.print(solution_table(problem, quantities, dimensional), soft_wrap=False)
     for doubt in doubts:
         console.print(f"[bold yellow]Warning:[/] {doubt}.")
     return 0
@@ -218,70 +229,20 @@ def _write_files(solution: Solution, output: str | None, plot: str | None) -> No
             solution.plot(temporary_plot)
 
 
-# Commands in modules of their own, imported when they are called.
-app.command("softlube.commands.curve:curve", name="curve", help="Print or draw any quantity as a function of β, at once.")
-app.command(
-    "softlube.commands.reproduce:reproduce",
-    name="reproduce",
-    help="Draw the paper's figures and report our numbers beside its.",
-)
-app.command("softlube.commands.flow:flow", name="flow", help="Draw the flow in the gap: streamlines, velocities, wall shear.")
-app.command(
-    "softlube.commands.squeeze:squeeze",
-    name="squeeze",
-    help="Press a sphere through a film, or pull it away: film, pressure and load against time.",
-)
-
-
-# --- the table ------------------------------------------------------------------------------------------------------
-
-_DIMENSIONLESS_UNIT = {
-    "load": "4πG {0} a",
-    "film": "{0}",
-    "height": "{0}",
-    "pressure": "4πG a/R",
-    "friction": "(2π/3)G {0}²",
-    "length": "a = √(R {0})",
-    "shear_rate_max": "v/{0}",
-    "pressure_gradient_inlet": "4πG/R",
-}
-"""Units of a solution without physical input; {0} is the unit of height."""
-_PREFIXES = ((1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1.0, ""), (1e3, "k"), (1e6, "M"), (1e9, "G"))
-
-
-def rounded(value: float, error: float) -> tuple[str, str]:
-    """Value and error as text, the value cut at the second significant digit of the error."""
-    import math
-
-    if math.isnan(value):
-        return "none", "-"
-    if not (math.isfinite(error) and error > 0):
-        return f"{value:.6g}", "0" if error == 0 else "unknown"
-    digits = 1 - math.floor(math.log10(error))
-    if abs(value) >= 1e6 or digits > 9:
-        relative = max(0, math.floor(math.log10(abs(value))) + digits) if value else 0
-        return f"{value:.{min(relative, 12)}e}", f"{error:.2g}"
-    return f"{value:.{max(digits, 0)}f}", f"{error:.2g}"
-
-
-def _engineering(quantity: Quantity) -> tuple[str, str, str]:
-    """Value, error and unit of an SI quantity with the prefix that suits it."""
-    value, unit = float(quantity), quantity.unit
-    factor, prefix = 1.0, ""
-    if unit in ("m", "N", "Pa", "Pa/m") and value == value:
-        factor, prefix = next((pair for pair in _PREFIXES if abs(value) < 1000 * pair[0]), _PREFIXES[-1])
-    return *rounded(value / factor, quantity.error / factor), prefix + unit
+# --- what is printed --------------------------------------------------------------------------------------------------
 
 
 def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
     from rich.console import Console
+
+    from softlube.commands.table import solution_table
 
     console = Console(highlight=False, soft_wrap=True)
     condition = "Reynolds condition" if solution.problem.cavitation == "reynolds" else "no cavitation condition"
     console.print(f"β = {solution.beta:.5g} (by the load: {solution.beta_load:.5g}), {condition}", markup=False)
     if solution.contact is None and solution.problem.load_controlled:
         console.print("δ is the Hertz indentation of the load, Eq. (29).")
-    console.print(_table(solution.problem, solution.quantities, solution.dimensional), soft_wrap=False)
+    console.print(solution_table(solution.problem, solution.quantities, solution.dimensional), soft_wrap=False)
     sizes = ", ".join(f"{level.n_r} × {level.n_theta}" for level in solution.levels)
     steps = " + ".join(str(sum(record.count for record in level.history)) for level in solution.levels)
     what = "Newton steps" if solution.method == "newton" else f"sweeps of the paper's method ({solution.method})"
@@ -294,43 +255,6 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
         console.print(f"[bold yellow]Warning:[/] {doubt}.")
     for path in files:
         console.print(f"Wrote {path}", markup=False)
-
-
-def _table(problem: Problem, quantities: Mapping[str, Quantity], dimensional: Mapping[str, Quantity]) -> Table:
-    from rich import box
-    from rich.table import Table
-
-    from softlube.quantities import DESCRIPTION
-
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    table.add_column("quantity", no_wrap=True)
-    table.add_column("value", justify="right", no_wrap=True)
-    table.add_column("± error", no_wrap=True)
-    table.add_column("unit", no_wrap=True)
-
-    def row(text: str, value: str, error: str, unit: str) -> None:
-        table.add_row(text, value, f"± {error}", unit)
-
-    physical = bool(dimensional)
-    unit = "δ" if problem.load_controlled else "|h0|"
-    if physical:
-        row("indentation", *_engineering(dimensional["indentation"]))
-        row(f"contact radius a = √(R {unit})", *_engineering(dimensional["contact_radius"]))
-    for name, text in DESCRIPTION.items():
-        quantity = quantities[name]
-        if name == "height" and (physical or not problem.load_controlled):
-            continue  # the input, or the indentation above
-        if name in ("film_min_radius", "film_min_angle_deg"):
-            place = "  at a radius of" if name == "film_min_radius" else "  at an angle from the inlet of"
-            row(place, *rounded(float(quantity), quantity.error), "a" if name == "film_min_radius" else "°")
-        elif physical:
-            row(text, *_engineering(dimensional[name]))
-        else:
-            group = "length" if name == "boundary_layer" else name if name in _DIMENSIONLESS_UNIT else name.split("_")[0]
-            row(text, *rounded(float(quantity), quantity.error), _DIMENSIONLESS_UNIT[group].format(unit))
-    if physical:
-        row("friction coefficient over r ≤ 2a", *_engineering(dimensional["friction_coefficient"]))
-    return table
 
 
 # --- entry point ----------------------------------------------------------------------------------------------------

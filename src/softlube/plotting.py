@@ -10,6 +10,7 @@ import numpy as np
 
 from softlube.errors import InputError
 from softlube.limits import hertz_pressure
+from softlube.units import prefixed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -61,9 +62,9 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
     def scale(name: str) -> float:
         return float(dimensional[name]) / float(quantities[name])
 
-    film_factor, film_unit = _prefixed(float(dimensional["film_center"]), "m")
-    pressure_factor, pressure_unit = _prefixed(_highest(solution) * scale("pressure_center"), "Pa")
-    length_factor, length_unit = _prefixed(float(dimensional["contact_radius"]) * _width(solution), "m")
+    film_factor, film_unit = prefixed(float(dimensional["film_center"]), "m")
+    pressure_factor, pressure_unit = prefixed(_highest(solution) * scale("pressure_center"), "Pa")
+    length_factor, length_unit = prefixed(float(dimensional["contact_radius"]) * _width(solution), "m")
     return (
         float(dimensional["contact_radius"]) * length_factor,
         f" [{length_unit}]",
@@ -83,14 +84,6 @@ def _highest(solution: Solution) -> float:
 def _width(solution: Solution) -> float:
     """How much wider than a contact the pressure is: as wide as a thick film allows."""
     return max(1.0, 0.9 * np.sqrt(2 * float(solution.quantities["film_center"])))
-
-
-def _prefixed(value: float, unit: str) -> tuple[float, str]:
-    """Factor and symbol of the SI prefix that suits a value."""
-    for exponent, prefix in ((-9, "n"), (-6, "µ"), (-3, "m"), (0, ""), (3, "k"), (6, "M"), (9, "G")):
-        if value < 10.0 ** (exponent + 3):
-            return 10.0**-exponent, prefix + unit
-    return 1.0, unit
 
 
 def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figure:

@@ -26,6 +26,9 @@ KINDS = {
 }
 """Unit and example of every physical input."""
 
+PREFIXES = ((-9, "n"), (-6, "µ"), (-3, "m"), (0, ""), (3, "k"), (6, "M"), (9, "G"))
+"""Exponents and symbols of the prefixes that are printed."""
+
 SIGNED = ("indentation",)
 """Inputs that may be zero or negative."""
 
@@ -134,3 +137,15 @@ def _number(name: str, value: object) -> float:
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError):
         raise InputError(f"{name}: expected a number without unit, got {value!r}") from None
+
+
+def prefixed(value: float, unit: str, below: float = 1e3) -> tuple[float, str]:
+    """Factor and unit with the first SI prefix under which a value stays below a bound.
+
+    Examples
+    --------
+    >>> prefixed(2.5e-7, "m")
+    (1000000000.0, 'nm')
+    """
+    exponent, prefix = next((pair for pair in PREFIXES if abs(value) < below * 10.0 ** pair[0]), PREFIXES[-1])
+    return 10.0**-exponent, prefix + unit

@@ -116,11 +116,9 @@ def _lowest(film: SqueezeFilm, fields: Array) -> tuple[Array, Array]:
         lowest = int(np.argmin(values))
         least[k], place[k] = values[lowest], points[lowest]
         if 0 < lowest < points.size - 1 and points[lowest - 1] > 0:
-            before, here, after = values[lowest - 1 : lowest + 2]
-            bend = before - 2 * here + after
-            if bend > 0:
-                place[k] += (before - after) / (2 * bend) * (points[lowest + 1] - points[lowest])
-                least[k] -= (before - after) ** 2 / (8 * bend)
+            ahead, drop = _vertex(*values[lowest - 1 : lowest + 2])
+            place[k] += ahead * (points[lowest + 1] - points[lowest])
+            least[k] -= drop
     return least, film.grid.r_of(place)
 
 
@@ -129,9 +127,13 @@ def least_on_nodes(film: Array) -> float:
     lowest = int(np.argmin(film))
     if not 0 < lowest < film.size - 1:
         return float(film[lowest])
-    before, here, after = film[lowest - 1 : lowest + 2]
+    return float(film[lowest] - _vertex(*film[lowest - 1 : lowest + 2])[1])
+
+
+def _vertex(before: float, here: float, after: float) -> tuple[float, float]:
+    """How far ahead of the middle of three values, in intervals, their parabola has its minimum, and how much lower it is."""
     bend = before - 2 * here + after
-    return float(here - (before - after) ** 2 / (8 * bend)) if bend > 0 else float(here)
+    return ((before - after) / (2 * bend), (before - after) ** 2 / (8 * bend)) if bend > 0 else (0.0, 0.0)
 
 
 def integrate(

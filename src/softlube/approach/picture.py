@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from softlube.plotting import FILM_COLOUR, PRESSURE_COLOUR, STYLE, check_format
+from softlube.units import prefixed
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,10 +29,8 @@ def _prefix(largest: float, unit: str) -> tuple[float, str]:
     """Factor and label of the SI prefix that suits the largest value."""
     if not unit:
         return 1.0, ""
-    for exponent, prefix in ((-9, "n"), (-6, "µ"), (-3, "m"), (0, ""), (3, "k"), (6, "M"), (9, "G")):
-        if abs(largest) < 2 * 10.0 ** (exponent + 3):
-            return 10.0**-exponent, f" [{prefix}{unit}]"
-    return 1.0, f" [{unit}]"
+    factor, prefixed_unit = prefixed(largest, unit, below=2e3)
+    return factor, f" [{prefixed_unit}]"
 
 
 def _chosen(time: Array, film_center: Array) -> NDArray[np.intp]:

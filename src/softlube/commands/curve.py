@@ -99,7 +99,7 @@ def _print(place, values, symbol: str, one: bool) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from softlube.cli import rounded
+    from softlube.commands.table import rounded
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     if one:

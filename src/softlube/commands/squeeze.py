@@ -136,17 +136,12 @@ def squeeze(
 
 def _table(quantities: Mapping[str, Quantity], names: Mapping[str, str]) -> Table:
     """Values with errors and units."""
-    from rich import box
-    from rich.table import Table
+    from softlube.commands.table import empty_table, rounded
+    from softlube.units import prefixed
 
-    from softlube.cli import rounded
-    from softlube.plotting import _prefixed
-
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for column in ("quantity", "value", "± error", "unit"):
-        table.add_column(column, no_wrap=True, justify="right" if column == "value" else "left")
+    table = empty_table()
     for name, quantity in quantities.items():
-        factor, unit = _prefixed(abs(float(quantity)), quantity.unit)
+        factor, unit = prefixed(float(quantity), quantity.unit)
         error = quantity.error * factor
         text, doubt = rounded(float(quantity) * factor, error if error > 1e-9 * abs(float(quantity) * factor) else 0.0)
         table.add_row(names[name], text, f"± {doubt}", unit)
