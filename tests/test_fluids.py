@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +11,8 @@ from scipy.integrate import quad
 import softlube
 from softlube.cli import main
 from softlube.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film, nijenbanning_venner_moes
-from softlube.fluids import Barus, Newtonian, Roelands, from_plain, to_plain
+from softlube.flow import net_flux
+from softlube.fluids import Barus, DowsonHigginson, Newtonian, Roelands, from_plain, to_plain
 from softlube.grid import PolarGrid
 from softlube.meshing import grid_for
 from softlube.problem import Problem
@@ -18,7 +20,7 @@ from softlube.reynolds import ReynoldsOperator
 from softlube.solver import solve_level
 from softlube.system import ContactSystem
 
-LAWS = [Barus(3.0), Roelands(3.0, 0.6, 0.4)]
+LAWS = [Barus(3.0), Roelands(3.0, 0.6, 0.4), DowsonHigginson(Barus(3.0), 0.6)]
 BALL = ["--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s", "--speed", "0.1 mm/s", "--load", "100 mN"]
 
 
@@ -75,6 +77,58 @@ def test_a_solid_liquid_carries_the_film_along_to_third_order():
         errors.append(np.max(np.abs(residual.reshape(grid.n_r, -1) - expected[: grid.n_r])[within] / area[: grid.n_r][within]))
     orders = np.log2(np.divide(errors[:-1], errors[1:]))
     assert np.all(orders > 2.7), (errors, orders)
+
+
+def test_a_solid_compressible_liquid_carries_its_mass_along_to_third_order():
+    """The equation is ∂(ρu)/∂x = 0 then, whatever the pressures are that make the density."""
+    liquid, errors = DowsonHigginson(Barus(400.0), 0.6), []
+    for n in (32, 64, 128):
+        grid = PolarGrid(3 * n, n, layer=0.25, side_layer=1.0)
+        x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
+        film, pressure = 2 + np.exp(-((x - 0.3) ** 2) - y**2), 1 + 0.5 * np.exp(-((x + 0.2) ** 2) - 2 * y**2)
+        residual = ReynoldsOperator.on(grid).residual(pressure.ravel(), film.ravel(), 1.0, liquid)
+        density = 1 + 0.34 * pressure / (0.6 + pressure)
+        compression = 0.34 * 0.6 / (0.6 + pressure) ** 2
+        slope = -2 * (x - 0.3) * (film - 2) * density - 2 * (x + 0.2) * (pressure - 1) * compression * film
+        area = grid.r[:, None] * grid.dr_dxi(grid.r)[:, None] * grid.dtheta_ds(grid.s)
+        within = (grid.r[: grid.n_r] > 0.3) & (grid.r[: grid.n_r] < 10)
+        difference = residual.reshape(grid.n_r, -1) / area[: grid.n_r] + slope[: grid.n_r]
+        errors.append(np.max(np.abs(difference)[within]))
+    orders = np.log2(np.divide(errors[:-1], errors[1:]))
+    assert np.all(orders > 2.7), (errors, orders)
+
+
+def test_density_of_dowson_and_higginson():
+    """ρ/ρ₀ = (0.59 + 1.34 p)/(0.59 + p) with p in GPa, as published; its derivative; and never a hole under tension."""
+    law = DowsonHigginson.of(Newtonian(), 1e9)
+    p = np.array([0.0, 0.3, 1.1])
+    assert law.density(p)[0] == pytest.approx((0.59 + 1.34 * p) / (0.59 + p))
+    p, step = np.array([-0.5, 0.2, 0.9]), 1e-6
+    assert law.density(p)[1] == pytest.approx((law.density(p + step)[0] - law.density(p - step)[0]) / (2 * step), abs=1e-9)
+    assert law.density(np.array([-10.0]))[0] > 0.5
+    assert law.in_units(4.0).density(p / 2)[0] == pytest.approx(law.density(p)[0])
+
+
+def test_a_stiff_liquid_is_incompressible():
+    problem = Problem(beta=200.0, fluid=Barus(3.0))
+    grid = grid_for(problem, 18)
+    plain = solve_level(problem, grid, None).level.values
+    stiff = solve_level(Problem(beta=200.0, fluid=DowsonHigginson(Barus(3.0), 1e7)), grid, None).level.values
+    for name, value in plain.items():
+        assert stiff[name] == pytest.approx(value, rel=1e-6, abs=1e-9), name
+
+
+def test_a_denser_liquid_makes_a_thinner_film_and_keeps_its_mass():
+    """The film under the centre is thinner, but not by the whole of the density there: what comes in is denser, too."""
+    beta, liquid = 100.0, DowsonHigginson(Barus(3.0), 0.3)
+    plain, dense = (softlube.solve(beta, fluid=fluid, cavitation="none") for fluid in (Barus(3.0), liquid))
+    density = float(liquid.density(np.array([dense.pressure_center]))[0][0])
+    assert density > 1.1
+    assert plain.film_center / density < dense.film_center < 0.95 * plain.film_center
+    for radius in (0.4, 0.8, 1.5):
+        assert abs(net_flux(dense, radius)) < 5e-5
+        # Volume alone does not balance.
+        assert abs(net_flux(replace(dense, fields=replace(dense.fields, fluid=Barus(3.0))), radius)) > 1e-3
 
 
 def test_roelands_starts_like_barus_and_is_it_for_z_1():
@@ -162,6 +216,7 @@ def test_a_layer_with_barus_and_its_file(tmp_path):
         base="frictionless",
         pressure_viscosity="40 GPa^-1",
         viscosity_law="roelands",
+        density_law="dowson-higginson",
     )
     solution = contact.solve(accuracy=1e-2)
     solution.save(tmp_path / "a.nc")
@@ -184,11 +239,25 @@ def test_the_command_says_when_it_does_not_matter(capsys):
     assert json.loads(capsys.readouterr().out)["converged"]
 
 
+def test_the_command_says_when_the_density_does_not_matter(capsys):
+    assert main(["solve", *BALL, "--density-law", "dowson-higginson"]) == 0
+    assert "the density rises by 0.0" in capsys.readouterr().out
+
+
+def test_density_that_changes_with_time_is_refused(capsys):
+    moved = ["--initial-height", "100 um", "--duration", "1 s", "--density-law", "dowson-higginson"]
+    sphere = [*BALL[:6], "--load", "100 mN"]
+    for more in ([], ["--speed", "1 mm/s"]):
+        assert main(["squeeze", *sphere, *moved, *more]) == 2
+        assert "density-law: the density must be constant where the film changes with time" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         ({"viscosity_law": "roelands"}, "viscosity_law, pressure_viscosity: the first means nothing without the second"),
         ({"viscosity_law": "dowson", "pressure_viscosity": 1e-8}, "viscosity_law: expected 'barus' or 'roelands'"),
+        ({"density_law": "barus"}, "density_law: expected 'constant' or 'dowson-higginson'"),
         ({"viscosity_law": "roelands", "pressure_viscosity": 1e-6, "viscosity": 0.01}, "use 'barus'"),
         ({"pressure_viscosity": "20 GPa"}, "pressure_viscosity: 20 GPa has the wrong dimension"),
         ({"poisson_ratio": "half"}, "poisson_ratio: expected a number"),

@@ -1,6 +1,8 @@
 """Hard contacts: the march in the viscosity, the Petrusevich spike, and what is said where no grid resolves it."""
 
 import json
+import runpy
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,7 +18,8 @@ from softlube.engineering import (
     moes_film,
     nijenbanning_venner_moes,
 )
-from softlube.fluids import Barus, Roelands
+from softlube.flow import net_flux
+from softlube.fluids import Barus, DowsonHigginson, Roelands
 from softlube.limits import HERTZ_PRESSURE
 from softlube.meshing import crest_of, grid_for, thickening
 from softlube.problem import Problem
@@ -158,6 +161,61 @@ def test_global_mass_balance_of_the_discrete_equations(spiked):
     assert np.max(np.abs(np.cumsum(rings))[within] / through.max()) < 1e-6
 
 
+def dense(m, material, law):
+    """A contact in Moes' parameters with a liquid of 20/GPa and 0.05 Pa s, denser under pressure."""
+    problem = moes(m, material)
+    unit = problem.fluid.alpha / 20e-9
+    thick = problem.fluid if law == "barus" else Roelands.of(20e-9, 0.05, unit)
+    return problem.beta_load, DowsonHigginson.of(thick, unit)
+
+
+@pytest.fixture(scope="module")
+def resolved():
+    """M = 20, L = 10 with the liquid of the published formulas: Roelands, Dowson & Higginson."""
+    beta_load, fluid = dense(20, 10, "roelands")
+    return softlube.solve(beta_load=beta_load, fluid=fluid, accuracy=1e-2)
+
+
+def test_a_compressible_liquid_has_a_spike_with_a_height(resolved):
+    """1.534 p_H at 0.7286 on the outlet axis and 1.541 p_H beside it, on grids of 58 and 80 angles."""
+    assert not resolved.warnings
+    quantities = resolved.quantities
+    for name, expected in (("spike_pressure", 1.534 * HERTZ_PRESSURE), ("spike_radius", 0.7286), ("friction_contact", 158.5)):
+        assert abs(quantities[name] - expected) < quantities[name].error < 0.05 * expected, name
+    assert resolved.pressure_max == pytest.approx(1.541 * HERTZ_PRESSURE, abs=resolved.pressure_max.error)
+    unit = float(moes_film(1.0, resolved.beta_load))
+    assert unit * resolved.film_center == pytest.approx(4.1572, abs=5e-4)
+    assert unit * resolved.film_min == pytest.approx(2.8534, abs=2e-3)
+    # Between the two formulas, which were fitted to such liquids.
+    assert unit * resolved.film_center == pytest.approx(float(nijenbanning_venner_moes(20, 10)), rel=0.03)
+    assert unit * resolved.film_center == pytest.approx(float(hamrock_dowson_hard_center(20, 10)), rel=0.1)
+
+
+def test_a_spike_goes_into_files_and_tables(resolved, tmp_path):
+    resolved.save(tmp_path / "a.nc")
+    again = softlube.load(tmp_path / "a.nc")
+    assert again.problem == resolved.problem
+    assert again.spike_radius == resolved.spike_radius
+    assert again.to_dict()["quantities"]["spike_pressure"]["value"] == pytest.approx(float(resolved.spike_pressure))
+
+
+def test_mass_is_conserved_across_a_spike(resolved):
+    for r in (0.4, 0.8, 0.9):
+        assert abs(net_flux(resolved, r)) < 1e-4
+
+
+def test_a_needle_with_a_finite_height_is_given_with_its_error_or_not_at_all():
+    """M = 20, L = 10 with Barus's law: the films are good, the spike (2.3 p_H) is known to some 10 %, friction not at all."""
+    beta_load, fluid = dense(20, 10, "barus")
+    solution = softlube.solve(beta_load=beta_load, fluid=fluid, accuracy=1e-2)
+    assert "hardly resolve; not given, because the error would be above 10 %" in solution.warnings[0]
+    assert np.isnan(solution.friction_contact)
+    unit = float(moes_film(1.0, beta_load))
+    assert unit * solution.film_center == pytest.approx(4.3423, abs=5e-4)
+    for name, quantity in solution.quantities.items():
+        assert np.isnan(quantity) or quantity.error <= 0.1 * abs(quantity) or name.endswith(("_deg", "_radius", "height")), name
+
+
 def test_what_is_too_thick_is_refused_at_once():
     with pytest.raises(softlube.NotConvergedError, match=r"rise by a factor of e\^73 under the dry contact's pressure"):
         solve(1000, 20, 1e-2)
@@ -168,6 +226,20 @@ def test_command_in_si_units(capsys):
     said = " ".join(capsys.readouterr().out.split())
     assert "Warning: the pressure has a spike at r = 0.6" in said
     assert "maximum pressure none" in said
+
+
+@pytest.mark.slow
+def test_the_line_contact_has_the_same_story():
+    """By other code, on ever finer cells: at αp₀ = 7 the spike grows without end, or to 1.335 p₀ where p₀ = 0.494 GPa."""
+    find_spike = runpy.run_path(str(Path(__file__).parents[1] / "benchmarks" / "spike_line.py"))["find_spike"]
+    with np.errstate(all="ignore"):
+        for hertz in (0.0, 0.494):
+            coarse, middle, fine = (find_spike(7.0, -0.5, width, hertz=hertz).height for width in (0.03, 0.01, 0.003))
+            if hertz:
+                assert [middle, fine] == pytest.approx([1.3346, 1.3351], abs=1e-3)
+                assert fine - middle < (middle - coarse) / 4
+            else:
+                assert fine > 1.3 * middle > 1.3**2 * coarse
 
 
 @pytest.mark.slow

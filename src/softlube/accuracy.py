@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from softlube.fields import Fields
 from softlube.meshing import DEEP_BETA, like_hertz, over_a_gap
 from softlube.problem import Problem
 from softlube.quantities import BOUNDARY_LAYER_LEVEL
+from softlube.spike import LARGEST_SPIKE_ERROR, LEFT_OF_FIRST_ORDER, is_open, is_sharp
 
 LOOSER = {"film_min": 3.0, "shear_rate_max": 3.0}
 LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
@@ -85,7 +87,11 @@ def floors_for(problem: Problem) -> Mapping[str, float]:
 
 
 def estimate_errors(
-    levels: Sequence[Mapping[str, float]], n_theta: int, floors: Mapping[str, float] = FREE_BOUNDARY, exact: str = ""
+    levels: Sequence[Mapping[str, float]],
+    n_theta: int,
+    floors: Mapping[str, float] = FREE_BOUNDARY,
+    exact: str = "",
+    slow: Sequence[str] = (),
 ) -> dict[str, float]:
     """Error of the finest grid's quantities, from how they changed over the grids.
 
@@ -103,6 +109,8 @@ def estimate_errors(
         See `floors_for`.
     exact : str
         A quantity that is prescribed.
+    slow : sequence of str
+        Quantities that converge like the spacing only.
 
     Returns
     -------
@@ -114,6 +122,8 @@ def estimate_errors(
     for name, value in finest.items():
         last = abs(value - before[name])
         changes = max(0.6 * last, 0.05 * abs(before[name] - levels[-3][name])) if len(levels) > 2 else last
+        if name in slow:
+            changes = LEFT_OF_FIRST_ORDER * last
         estimates[name] = 0.0 if name == exact else max(changes, yardstick(name, finest) * floors[name] / n_theta**2)
     return estimates
 
@@ -134,3 +144,15 @@ def unresolved(
             if not relative <= accuracy * looser.get(name, 1.0):
                 result[name] = relative
     return result
+
+
+def spike_bound(fields: Fields) -> tuple[str, ...]:
+    """Quantities that do not decide when the grid is fine enough, because a spike that it hardly resolves decides them."""
+    return SPIKE_BOUND if is_sharp(fields) else ()
+
+
+def withheld(fields: Fields, values: Mapping[str, float], errors: Mapping[str, float]) -> tuple[str, ...]:
+    """Those of them that are not given: where the spike has no height, or the error is large."""
+    if is_open(fields):
+        return SPIKE_BOUND
+    return tuple(name for name in spike_bound(fields) if not errors[name] <= LARGEST_SPIKE_ERROR * yardstick(name, values))

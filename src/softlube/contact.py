@@ -37,6 +37,8 @@ UNITS = {
     "pressure_center": "Pa",
     "pressure_max": "Pa",
     "pressure_gradient_inlet": "Pa/m",
+    "spike_pressure": "Pa",
+    "spike_radius": "m",
     "boundary_layer": "m",
     "friction_contact": "N",
     "friction_domain": "N",
@@ -87,6 +89,8 @@ class Contact(Materials):
         Pressure-viscosity coefficient α; constant viscosity where not given.
     viscosity_law : {"barus", "roelands"}
         The law that α is of; see `softlube.fluids`.
+    density_law : {"constant", "dowson-higginson"}
+        How the density rises with the pressure; see `softlube.fluids.DowsonHigginson`.
     roughness : str, float or pint.Quantity, optional
         Roughness height; used for a warning only.
     density : str, float or pint.Quantity
@@ -136,6 +140,7 @@ class Contact(Materials):
         base: str = "bonded",
         pressure_viscosity: object = None,
         viscosity_law: str = "barus",
+        density_law: str = "constant",
     ) -> None:
         values = read_materials(
             radius=radius,
@@ -148,6 +153,7 @@ class Contact(Materials):
             base=base,
             pressure_viscosity=pressure_viscosity,
             viscosity_law=viscosity_law,
+            density_law=density_law,
         )
         if speed is None:
             raise InputError(f"speed: missing; expected {KINDS['speed'][1]}")
@@ -185,7 +191,7 @@ class Contact(Materials):
         return self.substrate_for(self.unit_height)
 
     def fluid(self) -> Fluid:
-        """The law of the viscosity, dimensionless."""
+        """The laws of viscosity and density, dimensionless."""
         return self.fluid_for(self.unit_height)
 
     def problem(self) -> Problem:
@@ -246,7 +252,12 @@ class Contact(Materials):
             "length": length,
             "shear_rate_max": self.speed / height,
         }
-        group = {"film_min_radius": "length", "boundary_layer": "length"}
+        group = {
+            "film_min_radius": "length",
+            "boundary_layer": "length",
+            "spike_radius": "length",
+            "spike_pressure": "pressure",
+        }
         result = {}
         for name, quantity in quantities.items():
             if name not in UNITS:

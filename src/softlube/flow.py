@@ -161,9 +161,13 @@ def shear_stress(
 
 
 def flux(solution: Solution, r: ArrayLike, theta: ArrayLike, *, frame: Frame = "sphere") -> tuple[Array, Array]:
-    """Flux (q̄_r, q̄_θ) of liquid per unit width, in units of v|h₀|; without divergence in the frame of the sphere."""
+    """Flux (q̄_r, q̄_θ) of liquid per unit width, in units of v|h₀|; without divergence in the frame of the sphere.
+
+    The flux of mass over the density at zero pressure: of volume, where the density is constant.
+    """
     v_r, v_t = mean_velocity(solution, r, theta, frame=frame)
-    depth = solution.fields.film_at(r, theta) * filling(solution, r, theta)
+    density, _ = solution.fields.fluid.density(solution.fields.pressure_at(r, theta))
+    depth = density * solution.fields.film_at(r, theta) * filling(solution, r, theta)
     return v_r * depth, v_t * depth
 
 
@@ -255,7 +259,7 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
     """Streamlines in the vertical mid-plane y = 0, frame of the sphere, where they stay by symmetry.
 
     With the level ζ as coordinate the walls are ζ = 0 and 1, and continuity with the Reynolds equation (6a) gives
-    dζ/dt = ζ(1 − ζ)² (∂ū/∂x)/ū, which vanishes on both.
+    dζ/dt = ζ(1 − ζ)² ∂(ρū)/∂x/(ρū), which vanishes on both.
 
     Parameters
     ----------
@@ -273,15 +277,18 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
     list of ndarray, shape (m, 2)
         (x, ζ) along each line; the height is w̄ + ζū.
     """
-    chart, film_spline = solution.fields.chart, solution.fields.film_spline
+    chart, fluid = solution.fields.chart, solution.fields.fluid
+    film_spline, pressure_spline = solution.fields.film_spline, solution.fields.pressure_spline
 
     def direction(x: Array, zeta: Array) -> tuple[Array, Array]:
         zeta = np.clip(zeta, 0, 1)
         r, theta = np.maximum(np.abs(x), CENTRE), np.where(x >= 0, 0.0, np.pi)
         v_r, _ = velocity(solution, r, theta, level=zeta, frame="sphere")
         xi, s = chart.xi_of(r), chart.s_of(theta)
-        slope = np.cos(theta) * film_spline(xi, s, dx=1, grid=False) / chart.dr_dxi(r)
-        return v_r * np.cos(theta), zeta * (1 - zeta) ** 2 * slope / film_spline(xi, s, grid=False)
+        density, stiffness = fluid.density(pressure_spline(xi, s, grid=False))
+        growth = film_spline(xi, s, dx=1, grid=False) / film_spline(xi, s, grid=False)
+        growth = growth + stiffness / density * pressure_spline(xi, s, dx=1, grid=False)  # of ρū, relative
+        return v_r * np.cos(theta), zeta * (1 - zeta) ** 2 * np.cos(theta) * growth / chart.dr_dxi(r)
 
     boundary = free_boundary(solution)
     last = -reach if boundary is None else max(-reach, float(boundary.place(0.0)))

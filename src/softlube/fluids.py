@@ -1,15 +1,15 @@
-"""What lies between: a fluid is a law of its viscosity against the pressure.
+"""What lies between: a fluid is a law of its viscosity, and of its density, against the pressure.
 
-Laws are normalised: η over the viscosity η₀ at zero pressure, pressures with 4πG√(unit of height/R) (E* in place of 4G).  The
-Reynolds equation has the fluidity φ = η₀/η as a factor of u³∇p; with the reduced pressure q = ∫ φ dp (Grubin) that is u³∇q,
-bounded however steeply the viscosity rises.  Shear stresses have η/η₀ as a factor of the Couette part.  A new law is a new
-class here; nothing else in the package knows its name.
+Laws are normalised: η and ρ over their values η₀ and ρ₀ at zero pressure, pressures with 4πG√(unit of height/R) (E* in place
+of 4G).  The Reynolds equation has the fluidity φ = η₀/η as a factor of u³∇p; with the reduced pressure q = ∫ φ dp (Grubin)
+that is u³∇q, bounded however steeply the viscosity rises.  ρ is a factor of the whole flux.  Shear stresses have η/η₀ as a
+factor of the Couette part.  A new law is a new class here; nothing else in the package knows its name.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
@@ -30,6 +30,10 @@ ROELANDS_VISCOSITY = 6.31e-5
 """Viscosity [Pa s] that every Roelands fluid has at p = −`ROELANDS_PRESSURE`: ln η₀ + 9.67 = ln(η₀/6.31e-5)."""
 LARGEST_EXPONENT = 200.0
 """Bound of |ln η/η₀|, so that a wild iterate of Newton's method raises no overflow."""
+DENSITY_PRESSURE = 5.9e8
+"""Pressure [Pa] at which half of the densest liquid's compression has been had, in Dowson & Higginson's law."""
+DENSITY_RISE = 0.34
+"""What an endless pressure adds to ρ/ρ₀ in that law."""
 SMALLEST_RATIO, LARGEST_RATIO = 1e-3, 1e4
 """Bounds of 1 + p/p₀ in Roelands' law, for the same reason."""
 
@@ -55,13 +59,25 @@ class Fluid(Protocol):
         """Grubin's q = ∫ φ dp from 0 to p; p itself for constant viscosity."""
         ...
 
+    def density(self, pressure: Array) -> tuple[Array, Array]:
+        """ρ(p)/ρ₀ and its derivative."""
+        ...
+
     def weakened(self, share: float) -> Fluid:
-        """The law with a share (0 to 1) of its pressure dependence, for marching up to it; constant viscosity for 0."""
+        """The law with a share (0 to 1) of its viscosity's rise, for marching up to it; constant viscosity for 0."""
         ...
 
 
+class Incompressible:
+    """Constant density."""
+
+    def density(self, pressure: Array) -> tuple[Array, Array]:
+        """1 and 0."""
+        return np.ones_like(pressure), np.zeros_like(pressure)
+
+
 @dataclass(frozen=True)
-class Newtonian:
+class Newtonian(Incompressible):
     """Constant viscosity, the paper's fluid."""
 
     kind: ClassVar[str] = "newtonian"
@@ -93,7 +109,7 @@ def _checked(name: str, value: float) -> None:
 
 
 @dataclass(frozen=True)
-class Barus:
+class Barus(Incompressible):
     """η = η₀ e^{αp} (Barus 1893).
 
     Parameters
@@ -132,7 +148,7 @@ class Barus:
 
 
 @dataclass(frozen=True)
-class Roelands:
+class Roelands(Incompressible):
     """η = η₀ exp{(αp₀/z)[(1 + p/p₀)^z − 1]} (Roelands 1966).
 
     Parameters
@@ -210,6 +226,58 @@ class Roelands:
         return replace(self, alpha=self.alpha * share)
 
 
+@dataclass(frozen=True)
+class DowsonHigginson:
+    """ρ/ρ₀ = 1 + 0.34 p/(p₁ + p), p₁ = 0.59 GPa: mineral oils (Dowson & Higginson 1966).
+
+    Parameters
+    ----------
+    liquid : Fluid
+        What has the viscosity.
+    reference : float
+        p₁ over the unit of pressure.
+    """
+
+    liquid: Fluid
+    reference: float
+    kind: ClassVar[str] = "dowson-higginson"
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.reference) and self.reference > 0):
+            raise InputError(f"reference: expected a positive, finite pressure, got {self.reference!r}")
+
+    @classmethod
+    def of(cls, liquid: Fluid, pressure_unit: float) -> DowsonHigginson:
+        """With the unit of pressure in Pa."""
+        return cls(liquid, DENSITY_PRESSURE / pressure_unit)
+
+    def in_units(self, unit: float) -> DowsonHigginson:
+        """The same liquid with another unit of height."""
+        return replace(self, liquid=self.liquid.in_units(unit), reference=self.reference / math.sqrt(unit))
+
+    def viscosity(self, pressure: Array) -> Array:
+        """The liquid's."""
+        return self.liquid.viscosity(pressure)
+
+    def fluidity(self, pressure: Array) -> tuple[Array, Array]:
+        """The liquid's."""
+        return self.liquid.fluidity(pressure)
+
+    def reduced_pressure(self, pressure: Array) -> Array:
+        """The liquid's."""
+        return self.liquid.reduced_pressure(pressure)
+
+    def density(self, pressure: Array) -> tuple[Array, Array]:
+        """ρ/ρ₀ and its derivative; a liquid under tension is as dense as at −p₁/2, where the law is not meant to reach."""
+        compressed = np.maximum(pressure / self.reference, -0.5)
+        slope = np.where(compressed > -0.5, DENSITY_RISE / (self.reference * (1 + compressed) ** 2), 0.0)
+        return 1 + DENSITY_RISE * compressed / (1 + compressed), slope
+
+    def weakened(self, share: float) -> DowsonHigginson:
+        """The same density, a share of the viscosity's rise."""
+        return replace(self, liquid=self.liquid.weakened(share))
+
+
 @lru_cache(maxsize=32)
 def _roelands_rest(steepness: float, exponent: float) -> tuple[float, CubicHermiteSpline]:
     """∫ φ dp/p₀ from p upwards, which keeps its digits where φ is 10⁻²⁰: its value at p = 0, its logarithm over ln(1 + p/p₀).
@@ -238,17 +306,20 @@ def _roelands_rest(steepness: float, exponent: float) -> tuple[float, CubicHermi
     return float(np.exp(spline(0.0))), spline
 
 
-KINDS = {cls.kind: cls for cls in (Newtonian, Barus, Roelands)}
+KINDS: dict[str, Any] = {cls.kind: cls for cls in (Newtonian, Barus, Roelands, DowsonHigginson)}
 """Every fluid by its name in files."""
 
 
 def to_plain(fluid: Fluid) -> dict[str, Any]:
     """A fluid in plain values, for files."""
-    return {"kind": fluid.kind} | asdict(fluid)  # type: ignore[call-overload]
+    return {"kind": fluid.kind} | {
+        name: to_plain(value) if hasattr(value, "kind") else value for name, value in vars(fluid).items()
+    }
 
 
 def from_plain(values: dict[str, Any] | None) -> Fluid:
     """Inverse of `to_plain`; constant viscosity where nothing was written."""
     if not values:
         return Newtonian()
-    return KINDS[values["kind"]](**{name: value for name, value in values.items() if name != "kind"})
+    parts = {name: from_plain(value) if isinstance(value, dict) else value for name, value in values.items() if name != "kind"}
+    return KINDS[values["kind"]](**parts)

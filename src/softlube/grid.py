@@ -22,9 +22,6 @@ RIM = 2
 THINNING, WIDE = 0.8, 2.0
 """How much the mesh is thinned beyond the contact, and from where (over the contact radius)."""
 
-CREST_LAYER = 0.05
-"""Width of the refined zone at a crest of the pressure within the contact (over the contact radius)."""
-
 
 @dataclass(frozen=True)
 class PolarGrid:
@@ -54,7 +51,9 @@ class PolarGrid:
     edge : float
         Radius of the contact edge in the units of the problem.
     crest : float
-        Radius, relative to `edge`, at which the mesh is refined once more, down to `CREST_LAYER`; 0 for nowhere.
+        Radius, relative to `edge`, at which the mesh is refined once more, 0 for nowhere.
+    crest_layer : float
+        Width of the refined zone there, relative to `edge`.
     """
 
     n_r: int
@@ -65,24 +64,28 @@ class PolarGrid:
     reach: float = 20.0
     edge: float = 1.0
     crest: float = 0.0
+    crest_layer: float = 0.05
 
     def __post_init__(self) -> None:
         if self.n_r < 8 or self.n_theta < 6:
             raise ValueError(f"a polar grid needs n_r >= 8 and n_theta >= 6, not {self.n_r} x {self.n_theta}")
-        if not min(self.layer, self.side_layer, self.crowding, self.reach - 1, self.edge) > 0:
-            raise ValueError("a polar grid needs layer > 0, side_layer > 0, crowding > 0, reach > 1 and edge > 0")
+        if not min(self.layer, self.side_layer, self.crowding, self.reach - 1, self.edge, self.crest_layer) > 0:
+            raise ValueError("a polar grid needs layers > 0, crowding > 0, reach > 1 and edge > 0")
         if not 0 <= self.crest < self.reach:
             raise ValueError("a polar grid needs a crest between 0 and its reach")
 
     # --- radial direction -------------------------------------------------------------------------------------------
 
+    @property
+    def _zones(self) -> list[tuple[float, float]]:
+        """Place and width of the refined zones, over `edge`."""
+        return [(1.0, self.layer), *([(self.crest, self.crest_layer)] if self.crest else [])]
+
     def xi_of(self, r: ArrayLike) -> Array:
         """Uniform radial coordinate ξ of radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
-        edges = np.arcsinh((rho - 1) / self.layer) + np.arcsinh((rho + 1) / self.layer)
-        if self.crest:
-            edges = edges + np.arcsinh((rho - self.crest) / CREST_LAYER) + np.arcsinh((rho + self.crest) / CREST_LAYER)
-        return edges - THINNING * np.arcsinh(rho / WIDE)
+        fine = sum(np.arcsinh((rho - place) / d) + np.arcsinh((rho + place) / d) for place, d in self._zones)
+        return fine - THINNING * np.arcsinh(rho / WIDE)
 
     def r_of(self, xi: ArrayLike) -> Array:
         """Radius r of the uniform coordinate ξ (Newton's method on `xi_of`, to round-off)."""
@@ -91,7 +94,7 @@ class PolarGrid:
         table = 1 + d * np.sinh(np.linspace(-np.arcsinh(1 / d), np.arcsinh(2 * self.reach / d), 800))
         if self.crest:
             # Newton's method needs a table that has seen the crest's zone.
-            near = self.crest + CREST_LAYER * np.sinh(np.linspace(-2.5, 2.5, 101))
+            near = self.crest + self.crest_layer * np.sinh(np.linspace(-5, 5, 201))
             table = np.union1d(table, near[near > 0])
         table[0] = 0
         rho = np.interp(np.abs(xi), self.xi_of(table * self.edge), table)
@@ -105,10 +108,8 @@ class PolarGrid:
     def dr_dxi(self, r: ArrayLike) -> Array:
         """Derivative dr/dξ at radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
-        density = 1 / np.hypot(self.layer, rho - 1) + 1 / np.hypot(self.layer, rho + 1) - THINNING / np.hypot(WIDE, rho)
-        if self.crest:
-            density = density + 1 / np.hypot(CREST_LAYER, rho - self.crest) + 1 / np.hypot(CREST_LAYER, rho + self.crest)
-        return self.edge / density
+        fine = sum(1 / np.hypot(d, rho - place) + 1 / np.hypot(d, rho + place) for place, d in self._zones)
+        return self.edge / (fine - THINNING / np.hypot(WIDE, rho))
 
     @cached_property
     def d_xi(self) -> float:

@@ -11,7 +11,7 @@ import numpy as np
 
 from softlube.dry import DryContact, dry_contact_at
 from softlube.errors import InputError
-from softlube.fluids import Barus, Fluid, Newtonian, Roelands
+from softlube.fluids import Barus, DowsonHigginson, Fluid, Newtonian, Roelands
 from softlube.limits import HERTZ_LOAD
 from softlube.substrates import Base, HalfSpace, Layer, Substrate, check_poisson_ratio
 from softlube.units import KINDS, to_si
@@ -23,6 +23,7 @@ LARGEST_LAYER_EFFECT = 0.05
 """Relative change by the finite thickness that is spoken of."""
 
 ViscosityLaw = Literal["barus", "roelands"]
+DensityLaw = Literal["constant", "dowson-higginson"]
 
 MATERIALS = (
     "radius",
@@ -35,6 +36,7 @@ MATERIALS = (
     "base",
     "pressure_viscosity",
     "viscosity_law",
+    "density_law",
 )
 """Inputs of `read_materials`."""
 
@@ -55,6 +57,7 @@ class Materials:
     pressure_viscosity : float or None
         α [1/Pa]; None for constant viscosity.
     viscosity_law : {"barus", "roelands"}
+    density_law : {"constant", "dowson-higginson"}
     """
 
     radius: float
@@ -66,6 +69,7 @@ class Materials:
     base: Base
     pressure_viscosity: float | None
     viscosity_law: ViscosityLaw
+    density_law: DensityLaw
 
     @property
     def contact_modulus(self) -> float:
@@ -114,24 +118,30 @@ class Materials:
         return Layer(self.thickness / math.sqrt(self.radius * height), self.poisson_ratio, self.base)
 
     def fluid_for(self, height: float) -> Fluid:
-        """The law of the viscosity, normalised with a height [m]."""
-        if self.pressure_viscosity is None:
-            return Newtonian()
+        """The laws of viscosity and density, normalised with a height [m]."""
         pressure = self.scales(height)["pressure"][0]
-        if self.viscosity_law == "barus":
-            return Barus(self.pressure_viscosity * pressure)
-        return Roelands.of(self.pressure_viscosity, self.viscosity, pressure)
+        law: Fluid = Newtonian()
+        if self.pressure_viscosity is not None and self.viscosity_law == "barus":
+            law = Barus(self.pressure_viscosity * pressure)
+        elif self.pressure_viscosity is not None:
+            law = Roelands.of(self.pressure_viscosity, self.viscosity, pressure)
+        return law if self.density_law == "constant" else DowsonHigginson.of(law, pressure)
 
     def thickening_doubt(self, highest_pressure: float) -> list[str]:
-        """A warning if the viscosity hardly rises up to a pressure [Pa]."""
-        if self.pressure_viscosity is None:
-            return []
+        """Warnings if viscosity or density are given as rising, and hardly rise up to a pressure [Pa]."""
         height = self.radius  # any height: η(p) does not know what it is normalised with
         highest = np.array([highest_pressure / self.scales(height)["pressure"][0]])
-        rise = float(self.fluid_for(height).viscosity(highest)[0]) - 1
-        if rise >= SMALLEST_RISE:
-            return []
-        return [f"the viscosity rises by {100 * rise:.2g} % at most with the pressure: a constant one would do as well"]
+        fluid = self.fluid_for(height)
+        rises = {}
+        if self.pressure_viscosity is not None:
+            rises["viscosity"] = float(fluid.viscosity(highest)[0]) - 1
+        if self.density_law != "constant":
+            rises["density"] = float(fluid.density(highest)[0][0]) - 1
+        return [
+            f"the {name} rises by {100 * rise:.2g} % at most with the pressure: a constant one would do as well"
+            for name, rise in rises.items()
+            if rise < SMALLEST_RISE
+        ]
 
 
 def layer_doubt(dry: DryContact, substrate: Layer, changes: Mapping[str, tuple[float, float]]) -> list[str]:
@@ -199,6 +209,7 @@ def read_materials(
     base: str = "bonded",
     pressure_viscosity: object = None,
     viscosity_law: str = "barus",
+    density_law: str = "constant",
 ) -> dict[str, Any]:
     """Fields of `Materials` from text with units, pint quantities or numbers in SI; see `softlube.Contact`.
 
@@ -220,7 +231,8 @@ def read_materials(
         values["shear_modulus"] = to_si("young_modulus", young_modulus) / (2 * (1 + ratio))
     else:
         values["shear_modulus"] = to_si("shear_modulus", shear_modulus)
-    for name, choice, known in (("base", base, Base), ("viscosity_law", viscosity_law, ViscosityLaw)):
+    choices = {"base": (base, Base), "viscosity_law": (viscosity_law, ViscosityLaw), "density_law": (density_law, DensityLaw)}
+    for name, (choice, known) in choices.items():
         if choice not in get_args(known):
             raise InputError(f"{name}: expected {' or '.join(map(repr, get_args(known)))}, got {choice!r}")
     for name, needed, unused in (
@@ -230,4 +242,4 @@ def read_materials(
         if needed is None and not unused:
             other = "thickness" if name == "base" else "pressure_viscosity"
             raise InputError(f"{name}, {other}: the first means nothing without the second; give both or neither")
-    return values | {"poisson_ratio": ratio, "base": base, "viscosity_law": viscosity_law}
+    return values | {"poisson_ratio": ratio} | {name: choice for name, (choice, _) in choices.items()}

@@ -9,7 +9,7 @@ from softlube.fields import Fields
 from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD, HERTZ_PRESSURE
 from softlube.problem import Problem
-from softlube.spike import outlet_crest
+from softlube.spike import is_compressible, outlet_crest
 
 RADIAL_STEP = 5.2
 """Spacing of ξ times the number of angular intervals."""
@@ -28,8 +28,10 @@ THICK = 2.5
 """ln η/η₀ under a dry contact's largest pressure beyond which a spike may stand at the outlet."""
 THICKEST = 55.0
 """The same, up to which the march in the viscosity is known to arrive."""
-CREST_STEP = 0.02
-"""Crests of meshes are multiples of this, so that neighbouring problems share a grid and its elastic operator."""
+CREST_LAYER, CREST_LAYER_COMPRESSIBLE = 0.05, 0.01
+"""Width of the refined zone at a crest, over the contact radius: in a compressible liquid the spike has a height to resolve."""
+CREST_STEP = 0.4
+"""Crests of meshes are multiples of this times that width, so that neighbouring problems share a grid and its operators."""
 
 
 def unit_for(problem: Problem) -> float:
@@ -70,11 +72,21 @@ def thickening(problem: Problem) -> float:
     return float(np.log(problem.fluid.viscosity(np.array([highest]))[0]))
 
 
-def crest_of(problem: Problem, fields: Fields) -> float:
-    """Radius of the pressure's crest on the outlet axis, over the mesh's unit of length, where it may be a spike; else 0."""
+def crest_of(problem: Problem, fields: Fields, before: float = 0.0) -> float:
+    """Radius of the pressure's crest on the outlet axis, over the mesh's unit of length, where it may be a spike; else 0.
+
+    It stays where it was found `before`, if that is within the refined zone: a needle does not like to be moved.
+    """
     if thickening(problem) < THICK or over_a_gap(problem):
         return 0.0
-    return CREST_STEP * round(outlet_crest(fields) / np.sqrt(unit_for(problem)) / CREST_STEP)
+    here, layer = outlet_crest(fields) / np.sqrt(unit_for(problem)), crest_layer(problem)
+    step = CREST_STEP * layer
+    return before if abs(here - before) < layer else step * round(here / step)
+
+
+def crest_layer(problem: Problem) -> float:
+    """Width of the refined zone at a crest."""
+    return CREST_LAYER_COMPRESSIBLE if is_compressible(problem.fluid) else CREST_LAYER
 
 
 def grid_for(problem: Problem, n_theta: int, crest: float = 0.0) -> PolarGrid:
@@ -96,6 +108,7 @@ def grid_for(problem: Problem, n_theta: int, crest: float = 0.0) -> PolarGrid:
         crowding=1.2 if deep else 0.7,
         reach=60.0 if gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap
         crest=crest,
+        crest_layer=crest_layer(problem),
     )
     step = RADIAL_STEP_LIGHT if beta < LIGHT else RADIAL_STEP
     if problem.cavitation == "none" and not gap and not deep:

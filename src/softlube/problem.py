@@ -37,7 +37,7 @@ class Problem:
         What the sphere slides over, see `softlube.substrates`; lengths over √(R × unit of height), where the unit is what β is
         formed with: |h₀|, or the Hertz indentation that the load would make in a half-space.
     fluid : Fluid
-        The law of the viscosity, see `softlube.fluids`; pressures over 4πG√(unit of height/R).
+        The laws of viscosity and density, see `softlube.fluids`; pressures over 4πG√(unit of height/R).
 
     Raises
     ------

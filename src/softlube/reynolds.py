@@ -1,12 +1,12 @@
 """The Reynolds equation (1b), (6a) on the polar grid, conservative and of fourth order.
 
-    ∇·(φu³∇p) + (1/β) ∂u/∂x = 0,
+    ∇·(ρφu³∇p) + (1/β) ∂(ρu)/∂x = 0,
 
-φ = η₀/η(p) the fluid's fluidity, 1 in the paper, and φ∇p = ∇q with the reduced pressure q of `softlube.fluids`.  In the
-uniform coordinates (ξ, s) the flux f = u³∇q + (u/β) e_x balances as ∂_ξ(θ′ r f_r) + ∂_s(r′ f_θ) = 0 with r′ = dr/dξ and
-θ′ = dθ/ds.  Fluxes live on the faces of the cells: gradient and film come from the four nearest nodes, the divergence from the
-four nearest faces.  The metric factors of the Couette flux are differences of sin θ and r themselves, so that a uniform film
-carries no pressure, exactly.
+ρ the density and φ = η₀/η(p) the fluid's fluidity, 1 in the paper, and φ∇p = ∇q with the reduced pressure q of
+`softlube.fluids`.  In the uniform coordinates (ξ, s) the flux f = ρu³∇q + (ρu/β) e_x balances as
+∂_ξ(θ′ r f_r) + ∂_s(r′ f_θ) = 0 with r′ = dr/dξ and θ′ = dθ/ds.  Fluxes live on the faces of the cells: gradient and film come
+from the four nearest nodes, the divergence from the four nearest faces.  The metric factors of the Couette flux are
+differences of sin θ and r themselves, so that a uniform film carries no pressure, exactly.
 """
 
 from __future__ import annotations
@@ -164,46 +164,54 @@ class ReynoldsOperator:
         speed : float
             1/β, the normalised speed.
         fluid : Fluid
-            Of its reduced pressure q the flux is u³∇q.
+            Of its reduced pressure q and its density ρ the flux is ρu³∇q.
 
         Notes
         -----
         A difference of the pressure times a fluidity between the nodes is wrong where the fluidity falls by orders of
         magnitude from one to the next, and lets the solution hang on which node is highest; a difference of q is bounded.
 
-        Where the fluidity goes to zero nothing but ∂u/∂x is left of the equation, and a central formula does not see a film
-        that alternates from node to node.  So the film that is carried along is taken from upstream there, with the weight
-        1 − φ: not at all for constant viscosity.
+        Where the fluidity goes to zero nothing but ∂(ρu)/∂x is left of the equation, and a central formula does not see a film
+        that alternates from node to node.  So what is carried along is taken from upstream there, with the weight 1 − φ: not
+        at all for constant viscosity.
         """
         balance = 0.0
         for face in self._faces(pressure, film, fluid):
-            poiseuille = face.conductance * face.film**3 * face.gradient
-            balance = balance + face.divergence @ (poiseuille + speed * face.drag * (face.film + face.weight * face.bias))
+            poiseuille = face.density * face.conductance * face.film**3 * face.gradient
+            balance = balance + face.divergence @ (poiseuille + speed * face.drag * (face.carried + face.weight * face.bias))
         return -np.asarray(balance)
 
     def derivatives(self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT) -> tuple[Sparse, Sparse]:
         """Exact derivatives of `residual` by pressure and by film, each (unknown nodes, all nodes), sparse."""
         shape = (self.divergence[0].shape[0], self.slope[0].shape[1])
-        by_pressure, by_film, by_weight = sparse.csr_array(shape), sparse.csr_array(shape), sparse.csr_array(shape)
+        by_reduced, by_film, by_weight, by_density = (sparse.csr_array(shape) for _ in range(4))
         fluidity, thickening = fluid.fluidity(pressure)  # q′(p) and its change
+        density, stiffness = fluid.density(pressure)
+        compressible = np.any(stiffness)
         for face in self._faces(pressure, film, fluid):
             mobility = face.conductance * face.film**3
-            transport = 3 * face.conductance * face.film**2 * face.gradient + speed * face.drag
-            flux_p, flux_u = scaled_rows(face.slope, mobility), scaled_rows(face.midpoint, transport)
+            carried = scaled_rows(face.midpoint, speed * face.drag)  # ∂/∂(ρu)
             if np.any(face.weight):
-                flux_u = Sparse(flux_u + scaled_rows(face.upstream, speed * face.drag * face.weight))
+                carried = Sparse(carried + scaled_rows(face.upstream, speed * face.drag * face.weight))
                 steep = np.where((face.weight > 0) & (face.weight < 1), speed * face.drag * face.bias, 0.0)
                 by_weight = by_weight - face.divergence @ scaled_rows(face.midpoint, steep)
-            by_pressure = by_pressure - face.divergence @ flux_p
-            by_film = by_film - face.divergence @ flux_u
-        if not np.any(thickening):
-            return by_pressure, by_film
-        return Sparse(scaled_columns(by_pressure, fluidity) + scaled_columns(by_weight, -thickening)), by_film
+            if compressible:
+                pressed = scaled_rows(face.midpoint, mobility * face.gradient)
+                by_density = by_density - face.divergence @ (pressed + scaled_columns(carried, film))
+                carried = scaled_columns(carried, density)
+            pushed = scaled_rows(face.midpoint, 3 * face.density * face.conductance * face.film**2 * face.gradient)
+            by_reduced = by_reduced - face.divergence @ scaled_rows(face.slope, face.density * mobility)
+            by_film = by_film - face.divergence @ (pushed + carried)
+        if not (np.any(thickening) or compressible):
+            return by_reduced, by_film
+        by_pressure = scaled_columns(by_reduced, fluidity) + scaled_columns(by_weight, -thickening)
+        return Sparse(by_pressure + scaled_columns(by_density, stiffness)), by_film
 
     def _faces(self, pressure: Array, film: Array, fluid: Fluid) -> Iterator[_Faces]:
         """What both need on the radial faces, then on the angular ones."""
         parts = (self.slope, self.midpoint, self.upstream, self.divergence, self.conductance, self.drag)
         reduced, fluidity = fluid.reduced_pressure(pressure), fluid.fluidity(pressure)[0]
+        density = fluid.density(pressure)[0]
         for slope, midpoint, upstream, divergence, conductance, drag in zip(*parts, strict=True):
             yield _Faces(
                 slope,
@@ -213,8 +221,10 @@ class ReynoldsOperator:
                 conductance,
                 drag,
                 film=midpoint @ film,
+                carried=midpoint @ (density * film),
+                density=midpoint @ density,
                 gradient=slope @ reduced,
-                bias=upstream @ film,
+                bias=upstream @ (density * film),
                 weight=np.clip(1 - midpoint @ fluidity, 0.0, 1.0),
             )
 
@@ -230,6 +240,8 @@ class _Faces:
     conductance: Array
     drag: Array
     film: Array
+    carried: Array
+    density: Array
     gradient: Array
     bias: Array
     weight: Array

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
-from softlube.accuracy import COARSE_BETA, SPIKE_BOUND, estimate_errors, floors_for, looser, unresolved
+from softlube.accuracy import COARSE_BETA, estimate_errors, floors_for, looser, spike_bound, unresolved, withheld
 from softlube.continuation import march, thicken
 from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
@@ -22,7 +22,7 @@ from softlube.newton import Iteration, newton
 from softlube.problem import Problem
 from softlube.quantities import measure
 from softlube.solution import Level, Quantity, Solution
-from softlube.spike import OPEN_SPIKE, is_open, outlet_crest
+from softlube.spike import doubts, tracked
 from softlube.substrates import HalfSpace, Substrate
 from softlube.system import ContactSystem
 
@@ -171,8 +171,8 @@ def climb(problem: Problem) -> Iterator[Solved]:
         solved = solve_level(problem, grid, start)
         yield solved
         start, coarse = solved.x, grid
-        if n_theta == FIRST_ANGLES:  # the coarsest that sees where it will stand
-            crest = crest_of(problem, solved.fields)
+        if n_theta >= FIRST_ANGLES:  # the coarsest that sees where it will stand
+            crest = crest_of(problem, solved.fields, crest)
 
 
 def solve(
@@ -268,10 +268,10 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
             progress(f"{rung.grid.n_r} x {rung.grid.n_theta} cells solved in {rung.level.seconds:.2f} s")
         if len(solved) < 2:
             continue
-        missing = withheld(rungs(solved))
-        if missing and rung.grid.n_theta < SPIKE_ANGLES:
+        slow = spike_bound(rung.fields)
+        if slow and rung.grid.n_theta < SPIKE_ANGLES:
             continue
-        known = {name: error for name, error in _errors(problem, solved).items() if name not in missing}
+        known = {name: error for name, error in _errors(problem, solved).items() if name not in slow}
         worst = unresolved(rung.level.values, known, accuracy, looser(problem))
         if not worst:
             return solution_of(problem, solved, accuracy)
@@ -297,15 +297,10 @@ def _check_range(problem: Problem) -> None:
         )
 
 
-def withheld(levels: Sequence[Level]) -> tuple[str, ...]:
-    """Quantities that are not given, because there is a spike that the finest grid does not resolve."""
-    finest = levels[-1].fields
-    return SPIKE_BOUND if finest is not None and is_open(finest) else ()
-
-
 def _errors(problem: Problem, solved: Sequence[Solved]) -> dict[str, float]:
     exact = "load" if problem.load_controlled else "height"
-    return estimate_errors([rung.level.values for rung in solved], solved[-1].grid.n_theta, floors_for(problem), exact)
+    values, finest = [rung.level.values for rung in solved], solved[-1]
+    return estimate_errors(values, finest.grid.n_theta, floors_for(problem), exact, spike_bound(finest.fields))
 
 
 def normalised_otherwise(problem: Problem, levels: Sequence[Level]) -> dict[str, Quantity]:
@@ -315,8 +310,8 @@ def normalised_otherwise(problem: Problem, levels: Sequence[Level]) -> dict[str,
         return {}
     histories = [measure(each.in_units(_other_unit(problem, each))) for each in fields]
     exact = "height" if problem.load_controlled else "load"
-    errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact)
-    return _quantities(histories[-1], errors, withheld(levels))
+    errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact, spike_bound(fields[-1]))
+    return _quantities(histories[-1], errors, withheld(fields[-1], histories[-1], errors))
 
 
 def _quantities(values: Mapping[str, float], errors: Mapping[str, float], missing: Sequence[str]) -> dict[str, Quantity]:
@@ -334,16 +329,16 @@ def solution_of(problem: Problem, solved: Sequence[Solved], accuracy: float) -> 
     finest = solved[-1]
     fields = finest.fields
     errors = _errors(problem, solved)
-    missing = withheld(rungs(solved))
-    quantities = _quantities(finest.level.values, errors, missing)
+    missing = withheld(fields, finest.level.values, errors)
+    spike = tracked([rung.fields for rung in solved]) if finest.grid.crest else {}
     # Eq. (29): the load N̄ has the Hertz indentation δ = |h₀| (N̄/(4/3π))^(2/3), and β_load goes with δ².
     return Solution(
         problem=problem,
         fields=fields,
-        quantities=quantities,
+        quantities=_quantities(finest.level.values, errors, missing) | spike,
         beta=fields.beta * fields.height**2,
         beta_load=fields.beta * max(fields.load / HERTZ_LOAD, 0.0) ** (4 / 3),
         accuracy=accuracy,
         levels=rungs(solved),
-        warnings=(OPEN_SPIKE.format(outlet_crest(fields)),) if missing else (),
+        warnings=doubts(fields, missing),
     )

@@ -2,18 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from softlube.fields import Fields
+from softlube.fluids import Fluid
+from softlube.solution import Quantity
 
 OUTLET = np.array([np.pi])
-SHARPEST = 2.0
-"""Fall of ln η from a node to the next along r, in the outlet half, up to which a grid follows the pressure (measured)."""
+SHARP, SHARPEST = 0.3, 2.0
+"""Change of ln η from a node to the next along r, in the outlet half: up to which the pressure is smooth to the grid, and
+beyond which a spike is a needle on one node (measured)."""
+NEAR = 0.6, 1.1
+"""Where the spike on the outlet axis is looked for, over the radius of the film's crest."""
+LEFT_OF_FIRST_ORDER = 2.0
+"""Error over the last change of what converges like the spacing, on grids 1.5 times finer each."""
+LARGEST_SPIKE_ERROR = 0.1
+"""Relative error up to which what goes by a spike is given."""
+DESCRIPTION = {"spike_pressure": "pressure spike on the outlet axis", "spike_radius": "radius of the spike"}
 OPEN_SPIKE = (
     "the pressure has a spike at r = {:.2f} (outlet axis) that is narrower than the finest cells and grows from grid to grid, "
     "so there is no maximum pressure, and nothing that goes by it; the films do not depend on it (docs/viscosity.md)"
 )
 """What a solution with such a spike warns of; the radius over the unit of length."""
+COARSE_SPIKE = (
+    "the pressure has a spike at r = {:.2f} (outlet axis) that the finest cells hardly resolve; not given, because the error "
+    "would be above 10 %: {}; the films do not depend on it (docs/viscosity.md)"
+)
+"""The same where the spike has a height, and what it decides is not known well enough."""
 
 
 def outlet_crest(fields: Fields) -> float:
@@ -30,7 +47,55 @@ def outlet_crest(fields: Fields) -> float:
     return float(r[np.argmin(np.gradient(slope, r))])
 
 
-def is_open(fields: Fields) -> bool:
-    """Whether the grid does not resolve the pressure's fall towards the outlet: a spike is a needle on one node then."""
+def outlet_spike(fields: Fields) -> tuple[float, float, float] | None:
+    """Radius, pressure and width of the node where the spike stands on the outlet axis; None where the pressure only falls."""
+    crest = outlet_crest(fields)
+    pressure = fields.pressure[:, -1]
+    here = np.flatnonzero((pressure[1:-1] > pressure[:-2]) & (pressure[1:-1] > pressure[2:])) + 1
+    here = here[(fields.r[here] > NEAR[0] * crest) & (fields.r[here] < NEAR[1] * crest)]
+    if not here.size:
+        return None
+    highest = here[np.argmax(pressure[here])]
+    return float(fields.r[highest]), float(pressure[highest]), float(fields.r[highest + 1] - fields.r[highest])
+
+
+def steepest_fall(fields: Fields) -> float:
+    """Largest change of ln η from a node to the next along r, in the outlet half: 0 for constant viscosity."""
     outlet = fields.pressure[:, fields.theta > np.pi / 2]
-    return bool(np.max(np.abs(np.diff(np.log(fields.fluid.viscosity(outlet)), axis=0))) > SHARPEST)
+    return float(np.max(np.abs(np.diff(np.log(fields.fluid.viscosity(outlet)), axis=0))))
+
+
+def is_sharp(fields: Fields) -> bool:
+    """Whether the pressure is no smooth function to the grid: what goes by its crest converges like the spacing only."""
+    return steepest_fall(fields) > SHARP
+
+
+def is_compressible(fluid: Fluid) -> bool:
+    """Whether the density rises with the pressure."""
+    return bool(np.any(fluid.density(np.ones(1))[1]))
+
+
+def is_open(fields: Fields) -> bool:
+    """Whether a spike is a needle on one node and has no height that grids could agree on.
+
+    A liquid that thickens without bound is carried along like a rigid punch, whose edge has an integrable singularity.  What is
+    denser under pressure is softer than that, and the pressure falls from a height that is finite.
+    """
+    return not is_compressible(fields.fluid) and steepest_fall(fields) > SHARPEST
+
+
+def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
+    """Pressure and radius of the spike on the outlet axis over ever finer grids; nothing where there is none to agree on."""
+    before, last = (outlet_spike(fields) for fields in grids[-2:])
+    if before is None or last is None or is_open(grids[-1]):
+        return {}
+    shift, change = (LEFT_OF_FIRST_ORDER * abs(here - there) for here, there in zip(last[:2], before[:2], strict=True))
+    spike = {"spike_pressure": Quantity(last[1], change), "spike_radius": Quantity(last[0], max(shift, last[2]))}
+    return spike if change <= LARGEST_SPIKE_ERROR * last[1] else {}
+
+
+def doubts(fields: Fields, missing: Sequence[str]) -> tuple[str, ...]:
+    """What is said of quantities that are not given."""
+    if is_open(fields):
+        return (OPEN_SPIKE.format(outlet_crest(fields)),)
+    return (COARSE_SPIKE.format(outlet_crest(fields), ", ".join(missing)),) if missing else ()

@@ -177,6 +177,7 @@ def squeeze(
     base: str = "bonded",
     pressure_viscosity: object = None,
     viscosity_law: str = "barus",
+    density_law: str = "constant",
     accuracy: float = 1e-3,
     progress: Callable[[str], None] | None = None,
 ) -> Squeeze:
@@ -193,6 +194,8 @@ def squeeze(
         Of the substrate, a layer on a rigid base if its thickness is given, as for `softlube.Contact`.
     pressure_viscosity, viscosity_law
         Of the liquid, as for `softlube.Contact`.
+    density_law
+        "constant": other liquids are for steady sliding only.
     load
         Constant load, or a function of the time [s] that gives it [N].
     approach_speed

@@ -179,6 +179,7 @@ def slide(
     base: str = "bonded",
     pressure_viscosity: object = None,
     viscosity_law: str = "barus",
+    density_law: str = "constant",
     accuracy: float = 2e-2,
     progress: Callable[[str], None] | None = None,
 ) -> Slide:
@@ -188,8 +189,10 @@ def slide(
 
     Parameters
     ----------
-    radius, young_modulus, shear_modulus, viscosity, density, thickness, poisson_ratio, base, pressure_viscosity, viscosity_law
+    radius, young_modulus, shear_modulus, viscosity, density, thickness, poisson_ratio, base
         As for `softlube.squeeze`.
+    pressure_viscosity, viscosity_law, density_law
+        Likewise.
     load, approach_speed, height, history, initial_height, duration, film_limit
         Likewise; times count from the start of the sliding.
     speed

@@ -43,6 +43,8 @@ class Bodies:
         Pressure-viscosity coefficient, such as "20 GPa^-1" [default: constant viscosity].
     viscosity_law
         "barus" or "roelands" [default: barus].
+    density_law
+        "constant" or "dowson-higginson" [default: constant].
     """
 
     radius: Physical = None
@@ -54,6 +56,7 @@ class Bodies:
     base: Physical = None
     pressure_viscosity: Physical = None
     viscosity_law: Physical = None
+    density_law: Physical = None
 
     def given(self) -> dict[str, str]:
         """The options that were given, by the names of `softlube.Contact`."""

@@ -21,8 +21,10 @@ DIMENSIONLESS_UNIT = {
     "height": "{0}",
     "pressure": "4πG a/R",
     "friction": "(2π/3)G {0}²",
-    "length": "a = √(R {0})",
+    "boundary_layer": "a = √(R {0})",
     "shear_rate_max": "v/{0}",
+    "spike_pressure": "4πG a/R",
+    "spike_radius": "a = √(R {0})",
     "pressure_gradient_inlet": "4πG/R",
 }
 """Units of a solution without physical input; {0} is the unit of height."""
@@ -63,6 +65,7 @@ def empty_table() -> Table:
 def solution_table(problem: Problem, quantities: Mapping[str, Quantity], dimensional: Mapping[str, Quantity]) -> Table:
     """Every quantity of a solution, in SI if it has them."""
     from softlube.quantities import DESCRIPTION
+    from softlube.spike import DESCRIPTION as SPIKE
 
     table = empty_table()
 
@@ -74,7 +77,9 @@ def solution_table(problem: Problem, quantities: Mapping[str, Quantity], dimensi
     if physical:
         row("indentation", *engineering(dimensional["indentation"]))
         row(f"contact radius a = √(R {unit})", *engineering(dimensional["contact_radius"]))
-    for name, text in DESCRIPTION.items():
+    for name, text in (DESCRIPTION | SPIKE).items():
+        if name not in quantities:
+            continue
         quantity = quantities[name]
         if name == "height" and (physical or not problem.load_controlled):
             continue  # the input, or the indentation above
@@ -84,7 +89,7 @@ def solution_table(problem: Problem, quantities: Mapping[str, Quantity], dimensi
         elif physical:
             row(text, *engineering(dimensional[name]))
         else:
-            group = "length" if name == "boundary_layer" else name if name in DIMENSIONLESS_UNIT else name.split("_")[0]
+            group = name if name in DIMENSIONLESS_UNIT else name.split("_")[0]
             row(text, *rounded(float(quantity), quantity.error), DIMENSIONLESS_UNIT[group].format(unit))
     if physical:
         row("friction coefficient over r ≤ 2a", *engineering(dimensional["friction_coefficient"]))

@@ -22,7 +22,7 @@ from softlube.units import KINDS, to_si
 
 COMBINATIONS = ("product", "zip")
 DIMENSIONLESS = ("beta", "beta_load")
-TEXT = ("cavitation", "base", "viscosity_law")
+TEXT = ("cavitation", "base", "viscosity_law", "density_law")
 NOT_OF_A_CASE = ("friction", "entrainment_speed")
 """Physical quantities that describe no contact to be solved."""
 PARAMETERS = (*(name for name in KINDS if name not in NOT_OF_A_CASE), *DIMENSIONLESS, *TEXT)
