@@ -22,7 +22,7 @@ RADIAL_STEP_SUCTION = 3.2
 edge."""
 DEEP_BETA = 3e4
 """β beyond which the layer at the sides is what is hardest to resolve."""
-STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.25, 1.3
+STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.25, 1.4
 """What `steepness` adds to the mesh: by how much its zone at the edge moves outwards, over β^(−2/5); crowding at the sides;
 angular intervals and, with its square, radial spacing, both as a fraction."""
 COARSEST = 0.43
