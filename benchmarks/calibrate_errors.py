@@ -1,8 +1,9 @@
 """How true are the error estimates?  Random contacts solved as usual and on much finer, differently graded grids.
 
-    python benchmarks/calibrate_errors.py --cases 60 --seed 3
+    python benchmarks/calibrate_errors.py --cases 60 --seed 3 [--layers]
 
-β from 10⁻⁴ to 10⁸, loads and indentations, both cavitation settings.  Prints, for each quantity, the median and the largest
+β from 10⁻⁴ to 10⁸, loads and indentations, both cavitation settings; or layers, β from 10 to 10⁴.  Prints, for each quantity,
+the median and the largest
 true error of the default solution (in terms of `softlube.accuracy.yardstick`), how many of the true errors lie below their
 estimates (coverage), and how much larger than the true error the estimate is (median ratio).  Ten seconds a case.
 """
@@ -24,11 +25,26 @@ from softlube.accuracy import yardstick
 from softlube.problem import Problem
 from softlube.quantities import DESCRIPTION
 from softlube.solver import solve_problem
+from softlube.substrates import Layer
 
 
-def random_problem(seed: int, case: int) -> Problem:
+def random_layer(rng: np.random.Generator) -> Problem:
+    """A contact on a layer, bonded or not, of any Poisson ratio."""
+    beta = float(10 ** rng.uniform(1, 4))
+    ratio = float(rng.choice([0.5, 0.5, 0.5, 0.45, 0.3, 0.0]))
+    base = str(rng.choice(["bonded", "bonded", "bonded", "frictionless"]))
+    thinnest = 0.25 if (ratio, base) == (0.5, "bonded") else 0.12
+    layer = Layer(float(10 ** rng.uniform(np.log10(thinnest), np.log10(3))), ratio, base)  # type: ignore[arg-type]
+    cavitation = str(rng.choice(["reynolds"] * 4 + ["none"]))
+    control = "beta_load" if rng.random() < 0.3 else "beta"
+    return Problem(**{control: beta}, cavitation=cavitation, substrate=layer)  # type: ignore[arg-type]
+
+
+def random_problem(seed: int, case: int, layers: bool) -> Problem:
     """One of the cases."""
     rng = np.random.default_rng([seed, case])
+    if layers:
+        return random_layer(rng)
     beta = float(10 ** rng.uniform(-4, 8))
     cavitation = str(rng.choice(["reynolds", "reynolds", "none"]))
     if rng.random() < 0.6:
@@ -36,9 +52,9 @@ def random_problem(seed: int, case: int) -> Problem:
     return Problem(beta=beta, cavitation=cavitation)  # type: ignore[arg-type]
 
 
-def compare(seed: int, case: int) -> tuple[list[float], list[float], int]:
+def compare(seed: int, layers: bool, case: int) -> tuple[list[float], list[float], int]:
     """True errors and estimates of one case, and the angles of its finest grid."""
-    problem = random_problem(seed, case)
+    problem = random_problem(seed, case, layers)
     solution, exact = solve_problem(problem), reference(problem)
     scales = [yardstick(name, exact) for name in DESCRIPTION]
     errors = [abs(solution.quantities[name] - exact[name]) for name in DESCRIPTION]
@@ -52,11 +68,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cases", type=int, default=60)
     parser.add_argument("--seed", type=int, default=3)
+    parser.add_argument("--layers", action="store_true")
     parser.add_argument("--processes", type=int, default=2)
     options = parser.parse_args()
     rows = []
     with ProcessPoolExecutor(options.processes) as pool:
-        for done, row in enumerate(pool.map(partial(compare, options.seed), range(options.cases)), 1):
+        for done, row in enumerate(pool.map(partial(compare, options.seed, options.layers), range(options.cases)), 1):
             rows.append(row)
             print(f"\r{done}/{options.cases}", end="", file=sys.stderr, flush=True)
     errors, estimates = (np.array([row[part] for row in rows]) for part in (0, 1))

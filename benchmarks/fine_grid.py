@@ -35,7 +35,9 @@ def reference(problem: Problem, n_theta: int = 48) -> dict[str, float]:
     for n in (18, 30, n_theta):
         own = grid_for(problem, n)
         grid = replace(own, layer=own.layer * 0.7, side_layer=own.side_layer * 0.8, reach=own.reach * 1.3)
-        grid = grid.resized(int(np.ceil(grid.xi_of(grid.reach) * own.n_r / own.xi_of(own.reach) * 1.2)), n)
+        grid = grid.resized(
+            int(np.ceil(grid.xi_of(grid.reach * grid.edge) * own.n_r / own.xi_of(own.reach * own.edge) * 1.2)), n
+        )
         solved = solve_level(problem, grid, None if coarse is None else prolong(start, coarse, grid, problem))
         start, coarse = solved.x, grid
     values = dict(solved.level.values)

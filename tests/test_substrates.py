@@ -8,7 +8,7 @@ from scipy.special import j0, jv
 import softlube
 from softlube.elasticity import elastic_operator, ring_kernels
 from softlube.grid import PolarGrid
-from softlube.meshing import grid_for
+from softlube.meshing import angles_for, grid_for, like_hertz, steepness
 from softlube.problem import Problem
 from softlube.solver import solve_level
 from softlube.substrates import HalfSpace, Layer, compliance_defect, from_plain, to_plain
@@ -114,6 +114,43 @@ def test_errors_cover_the_change_on_a_finer_grid(substrate):
         if abs(value - fine.quantities[name]) > value.error + fine.quantities[name].error
     ]
     assert len(missed) <= 1, missed  # the promise is 95 %
+
+
+FINE = {  # at 64 angles, on meshes that were graded otherwise
+    (100, 3.0): {"load": 0.791539, "film_center": 0.0569452, "film_min": 0.0389002, "film_outlet_min": 0.0435787},
+    (100, 1.0): {"load": 2.40967, "film_center": 0.0361103, "film_min": 0.0238365, "film_outlet_min": 0.0278461},
+    (100, 0.3): {"load": 26.5496, "film_center": 0.0125676, "film_min": 0.00700518, "film_outlet_min": 0.0096937},
+    (1000, 3.0): {"load": 0.705359, "film_center": 0.0148842, "film_min": 0.00854401, "film_outlet_min": 0.0115095},
+    (1000, 1.0): {"load": 2.22691, "film_center": 0.00977008, "film_min": 0.00480077, "film_outlet_min": 0.00756406},
+    (1000, 0.3): {"load": 25.781, "film_center": 0.00357094, "film_min": 0.00114138, "film_outlet_min": 0.00274252},
+}
+SHEAR = {(100, 3.0): 37.4246, (100, 1.0): 57.3884, (100, 0.3): 155.448}
+SHEAR |= {(1000, 3.0): 144.871, (1000, 1.0): 220.662, (1000, 0.3): 883.873}
+FRICTION = {(100, 3.0): 0.970696, (100, 1.0): 1.9531, (100, 0.3): 6.71937}
+FRICTION |= {(1000, 3.0): 0.326493, (1000, 1.0): 0.694816, (1000, 0.3): 2.48662}
+
+
+@pytest.mark.parametrize(("beta", "thickness"), FINE)
+def test_three_grids_of_a_half_spaces_size_do_for_layers(beta, thickness):
+    solution = softlube.solve(beta=beta, substrate=Layer(thickness))
+    fine = FINE[beta, thickness] | {"shear_rate_max": SHEAR[beta, thickness], "friction_domain": FRICTION[beta, thickness]}
+    for name, value in fine.items():
+        allowed = 3e-3 if name in ("film_min", "shear_rate_max") else 1e-3
+        assert solution.quantities[name] == pytest.approx(value, rel=allowed), name
+    finest, half_space = solution.levels[-1], softlube.solve(beta=beta).levels[-1]
+    assert len(solution.levels) == 3
+    assert finest.n_r * finest.n_theta < 1.4 * half_space.n_r * half_space.n_theta
+
+
+def test_a_mesh_follows_the_steepness_of_the_edge():
+    half_space, thick, thin = (Problem(beta=1e3, substrate=each) for each in (HalfSpace(), Layer(1e3), Layer(0.3)))
+    assert (steepness(half_space), angles_for(half_space, 26)) == (0, 26)
+    assert grid_for(half_space, 26).edge == 1
+    assert 0 <= steepness(thick) < 1e-6
+    assert grid_for(thick, 26).shape == grid_for(half_space, 26).shape
+    assert 0.7 < steepness(thin) < 1
+    assert 1 < grid_for(thin, 26).edge < 1 + like_hertz(thin) ** -0.4
+    assert grid_for(thin, 26).n_r < grid_for(half_space, 26).n_r
 
 
 def test_load_and_indentation_control_agree():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from softlube.fields import Fields
-from softlube.meshing import DEEP_BETA, like_hertz, over_a_gap
+from softlube.meshing import DEEP_BETA, like_hertz, over_a_gap, steepness
 from softlube.problem import Problem
 from softlube.quantities import BOUNDARY_LAYER_LEVEL
 from softlube.spike import LARGEST_SPIKE_ERROR, LEFT_OF_FIRST_ORDER, is_open, is_sharp
@@ -56,6 +56,8 @@ FREE_BOUNDARY_GAP = {
 """The same under a sphere that hardly touches or does not: the boundary passes close by, the minimum film sits on the axis."""
 FREE_BOUNDARY_DEEP = {"film_min": 2.0, "shear_rate_max": 2.5}
 """The same for a very large β, where few angles share the layer with the minimum film."""
+FREE_BOUNDARY_STEEP, FREE_BOUNDARY_STEEP_DEEP = {"film_center": 0.08}, {"film_min": 2.8, "shear_rate_max": 2.8}
+"""The same on layers, whose meshes have fewer rings for their angles, at any β and at a very large one."""
 SUCTION = {"film_min": 1.0, "shear_rate_max": 3.5}
 """The same without the Reynolds condition, where it differs: the largest shear lies in the suction behind the contact."""
 COARSE_BETA = 3e6
@@ -81,8 +83,11 @@ def floors_for(problem: Problem) -> Mapping[str, float]:
         floors |= SUCTION
     elif over_a_gap(problem):
         floors |= FREE_BOUNDARY_GAP
-    if like_hertz(problem) > DEEP_BETA and not over_a_gap(problem):
-        floors |= FREE_BOUNDARY_DEEP
+    steep, deep = steepness(problem) > 0, like_hertz(problem) > DEEP_BETA and not over_a_gap(problem)
+    if steep:
+        floors |= FREE_BOUNDARY_STEEP
+    if deep:
+        floors |= FREE_BOUNDARY_STEEP_DEEP if steep else FREE_BOUNDARY_DEEP
     return floors
 
 

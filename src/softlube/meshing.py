@@ -22,6 +22,11 @@ RADIAL_STEP_SUCTION = 3.2
 edge."""
 DEEP_BETA = 3e4
 """β beyond which the layer at the sides is what is hardest to resolve."""
+STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.25, 1.4
+"""What `steepness` adds to the mesh: by how much its zone at the edge moves outwards, over β^(−2/5); crowding at the sides;
+angular intervals and, with its square, radial spacing, both as a fraction."""
+COARSEST = 0.43
+"""Spacing of ξ that `STEEP_STEP` does not go beyond, lest the first grid be no start for the second."""
 TOUCHING = 4.5
 """β_load at which h₀ = 0 under the Reynolds condition, about."""
 THICK = 2.5
@@ -61,6 +66,20 @@ def like_hertz(problem: Problem) -> float:
     return dry_under(problem).like_hertz(problem.parameter)
 
 
+def steepness(problem: Problem) -> float:
+    """How much of the dry pressure's rise at the contact's edge is the substrate's: 0 on a half-space, up to 1 on thin layers.
+
+    Inwards from the edge the pressure rises ever faster on a thin layer, ever more slowly on a half-space.  So the film that
+    enters widens the contact by more of its boundary layer's width, and the minimum at the sides is sharper in angle.
+    """
+    return 0.0 if over_a_gap(problem) else 1 - 1 / dry_under(problem).edge
+
+
+def angles_for(problem: Problem, n_theta: int) -> int:
+    """Angular intervals that do for a problem what `n_theta` do on a half-space."""
+    return round(n_theta * (1 + STEEP_ANGLES * steepness(problem)))
+
+
 def over_a_gap(problem: Problem) -> bool:
     """Whether the sphere stays above the undeformed surface, or about."""
     return problem.height >= 0 or (problem.load_controlled and unit_for(problem) > 1.01 * dry_under(problem).radius ** 2)
@@ -94,26 +113,32 @@ def grid_for(problem: Problem, n_theta: int, crest: float = 0.0) -> PolarGrid:
 
     The layers at the contact edge are β^(−2/5) wide at the inlet and outlet and β^(−1/2) at the sides, where they take an
     angle of β^(−1/4).  The grading changes in steps of 2 (of √2 in angle), so that neighbouring β share a grid and its elastic
-    operator.
+    operator.  On a layer it follows the `steepness`, too: with the refined zone where the film and its free boundary are, fewer
+    rings do, and more angles can be had for them.
     """
     gap = over_a_gap(problem)
     beta = 1.0 if gap else max(like_hertz(problem), 1.0)
     octave = np.round(np.log2(beta**-0.4) - 0.2)  # a little early: too fine costs less than too coarse
     deep = beta > DEEP_BETA
+    steep = steepness(problem)
+    edge = 1 + float(min(STEEP_SHIFT * steep * 2.0**octave, 0.25))
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
         layer=0.5 if gap else float(min(0.4 * 2.0**octave, 0.25)),
         side_layer=float(min((2.4 if deep else 1.4) * 2.0 ** (octave * 0.625), 1.0)),
-        crowding=1.2 if deep else 0.7,
+        crowding=(1.2 if deep else 0.7) + STEEP_CROWDING * steep,
         reach=60.0 if gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap
-        crest=crest,
-        crest_layer=crest_layer(problem),
+        edge=edge,
+        crest=crest / edge,
+        crest_layer=crest_layer(problem) / edge,
     )
     step = RADIAL_STEP_LIGHT if beta < LIGHT else RADIAL_STEP
-    if problem.cavitation == "none" and not gap and not deep:
+    if problem.cavitation == "reynolds":
+        step = max(step, min(step * (1 + STEEP_STEP * steep**2), COARSEST * n_theta))
+    elif not gap and not deep:
         step = RADIAL_STEP_SUCTION
-    return grid.resized(int(np.ceil(grid.xi_of(grid.reach) * n_theta / step)), n_theta)
+    return grid.resized(int(np.ceil(grid.xi_of(grid.reach * edge) * n_theta / step)), n_theta)
 
 
 def first_height(problem: Problem) -> float:

@@ -17,7 +17,18 @@ from softlube.fields import Fields
 from softlube.fluids import Fluid, Newtonian
 from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD
-from softlube.meshing import THICK, THICKEST, crest_of, dry_under, first_height, grid_for, like_hertz, thickening, unit_for
+from softlube.meshing import (
+    THICK,
+    THICKEST,
+    angles_for,
+    crest_of,
+    dry_under,
+    first_height,
+    grid_for,
+    like_hertz,
+    thickening,
+    unit_for,
+)
 from softlube.newton import Iteration, newton
 from softlube.problem import Problem
 from softlube.quantities import measure
@@ -30,7 +41,7 @@ Array = NDArray[np.floating]
 
 DEFAULT_ACCURACY = 1e-3
 LADDER = (12, 18, 26, 39, 58)
-"""Angular intervals of the nested grids, coarse to fine."""
+"""Angular intervals of the nested grids, coarse to fine; on a layer a few more, see `softlube.meshing.angles_for`."""
 FIRST_ANGLES = 18
 SPIKE_ANGLES = 39
 """What a spike is resolved with, or by no grid of the ladder."""
@@ -165,7 +176,7 @@ def climb(problem: Problem) -> Iterator[Solved]:
     start, coarse, crest = None, None, 0.0
     # Twelve intervals cannot hold the layers of a very large β together.
     for n_theta in LADDER[1:] if like_hertz(problem) > COARSE_BETA else LADDER:
-        grid = grid_for(problem, n_theta, crest)
+        grid = grid_for(problem, angles_for(problem, n_theta), crest)
         if start is not None and coarse is not None:
             start = prolong(start, coarse, grid, problem)
         solved = solve_level(problem, grid, start)

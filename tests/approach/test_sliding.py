@@ -12,7 +12,7 @@ from softlube.approach.sliding import deepest_problem, mass_matrix, start_slidin
 from softlube.errors import InputError
 from softlube.fluids import Barus, Newtonian
 from softlube.limits import HERTZ_LOAD
-from softlube.meshing import grid_for
+from softlube.meshing import angles_for, grid_for
 from softlube.problem import Problem
 from softlube.quantities import measure
 from softlube.solver import solve_level
@@ -69,7 +69,7 @@ def test_every_motion_ends_in_its_steady_sliding(beta, motion, substrate, fluid)
     motion = replace(motion, substrate=substrate, fluid=fluid)
     run = start_sliding(beta, motion, n_theta=12, tolerance=3e-3)
     problem, unit = deepest_problem(beta, motion, "reynolds")
-    steady = measure(solve_level(problem, grid_for(problem, 12), None).fields.in_units(1 / unit))
+    steady = measure(solve_level(problem, grid_for(problem, angles_for(problem, 12)), None).fields.in_units(1 / unit))
     late = measure(run.fields[-1])
     for name in (*COMPARED, "load"):
         assert late[name] == pytest.approx(steady[name], rel=2e-4, abs=1e-9), name

@@ -30,7 +30,7 @@ from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
 from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD
-from softlube.meshing import grid_for, unit_for
+from softlube.meshing import angles_for, grid_for, unit_for
 from softlube.newton import newton
 from softlube.problem import Cavitation, Problem
 from softlube.quantities import measure
@@ -220,11 +220,11 @@ def grid_under(problem: Problem, motion: Motion, n_theta: int) -> PolarGrid:
     Under a load that changes the surface moves like Ṅ/r, so that the descent at the rim is not the sphere's; far out that is
     little.
     """
-    grid = grid_for(problem, n_theta)
+    grid = grid_for(problem, angles_for(problem, n_theta))
     if motion.control == "load":
         return grid
     n_r = max(grid.n_r, math.ceil(float(grid.xi_of(REACH * np.sqrt(2 * max(motion.samples)))) / grid.d_xi))
-    return replace(grid, reach=float(grid.r_of(n_r * grid.d_xi))).resized(n_r, n_theta)
+    return replace(grid, reach=float(grid.r_of(n_r * grid.d_xi)) / grid.edge).resized(n_r, grid.n_theta)
 
 
 def before_sliding(
