@@ -37,14 +37,15 @@ def test_no_scheduler_there(address, message, monkeypatch):
 def test_a_lost_connection_is_no_failure_of_the_case():
     from softlube.problem import Problem
     from softlube.sweeps.executors import Dask
+    from softlube.sweeps.steady import SteadyTask
 
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
     ) as cluster:
-        executor = Dask(cluster.scheduler_address)
+        executor = Dask(cluster.scheduler_address, ["solver"])
         (lane,) = executor.lanes()
-        future = executor.submit(lane, Problem(beta=1000), 1e-3, False)
-        future.task.cancel()
+        future = executor.submit(lane, SteadyTask(Problem(beta=1000)), 1e-3, False)
+        future.remote.cancel()
         with pytest.raises(ConnectionResetError, match="run again to take it up"):
             future.result(60)
         executor.close(wait=False)

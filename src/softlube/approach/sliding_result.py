@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 from softlube import fluids, substrates
-from softlube.approach.files import in_units
 from softlube.approach.motion import Motion
 from softlube.approach.physical import Setup
 from softlube.approach.sliding import SlidingStart, start_sliding
@@ -128,6 +127,8 @@ class Slide:
     def dataset(self) -> Dataset:
         """Film and pressure on (time, r, theta), 0 ≤ θ ≤ π from the inlet, and the histories."""
         import xarray as xr
+
+        from softlube.approach.files import in_units
 
         first = self.run.fields[0]
         coordinates = {
