@@ -237,6 +237,18 @@ accuracy = 0.05
 [parameters]
 beta = { from = 30, to = 3000, count = %d }
 """
+SQUEEZE = """
+[sweep]
+motion = "squeeze"
+accuracy = 0.05
+[parameters]
+radius = "2 mm"
+young_modulus = "3 MPa"
+viscosity = "2 Pa s"
+load = "100 mN"
+initial_height = { from = "20 um", to = "200 um", count = %d }
+duration = "2 ms"
+"""
 
 
 def test_two_processes_at_one_store_share_the_work_and_lose_nothing(tmp_path):
@@ -256,12 +268,12 @@ def test_two_processes_at_one_store_share_the_work_and_lose_nothing(tmp_path):
     assert (table["status"] == "done").all()
 
 
-def _killed(tmp_path, cases, kills):
+def _killed(tmp_path, cases, kills, text=PLAN):
     """Kill a sweep at random moments and resume it; the tables of the uninterrupted and of the resumed run, and the counts."""
     import random
 
     plan = tmp_path / "plan.toml"
-    plan.write_text(PLAN % cases)
+    plan.write_text(text % cases)
 
     def command(name):
         return [*COMMAND, str(plan), "--store", str(tmp_path / f"{name}.sweep"), "--output", str(tmp_path / f"{name}.csv")]
@@ -287,6 +299,15 @@ def test_killed_and_resumed(tmp_path):
     whole, killed, counts = _killed(tmp_path, 30, 3)
     assert killed == whole
     assert len(counts) == 30
+    assert set(counts.values()) == {1}
+
+
+@pytest.mark.slow
+def test_squeeze_films_killed_and_resumed(tmp_path):
+    whole, killed, counts = _killed(tmp_path, 20, 3, SQUEEZE)
+    assert killed == whole
+    assert whole.count(b",done,") == 20
+    assert len(counts) == 20
     assert set(counts.values()) == {1}
 
 

@@ -134,6 +134,8 @@ class ApproachCase:
             scale, unit = units[name]
             row[f"{name} [{unit}]"] = value * scale
             row[f"{name}_error [{unit}]"] = error * scale
+        if row["ended_by"] == "duration":
+            row["end_time [s]"] = self.setup.duration  # as given, not as rounded to be normalised
         if "dimple_time" in outcome.facts:
             scale, unit = units["dimple_time"]
             row[f"dimple_time [{unit}]"] = float(outcome.facts["dimple_time"]) * scale
