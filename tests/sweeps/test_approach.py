@@ -1,6 +1,8 @@
 """Sweeps of squeeze films and of starts of sliding: the numbers and files of single ones, each problem once, refusals."""
 
 import json
+import re
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -252,3 +254,22 @@ def test_no_result_overwrites_a_history(tmp_path, capsys):
     path.write_text("".join(line for line in TOML.splitlines(True) if not line.startswith(gone)) + 'history = "h.csv"\n')
     assert main(["sweep", str(path), "--output", str(tmp_path / "h.csv")]) == 2
     assert "is read by the plan" in capsys.readouterr().err
+
+
+def test_worked_example_of_the_page(tmp_path, monkeypatch):
+    """The plan and the table of docs/sweeps.md."""
+    page = (Path(__file__).parents[2] / "docs" / "sweeps.md").read_text(encoding="utf-8")
+    page = page[page.index("## Squeeze films") : page.index("## What comes out")]
+    monkeypatch.chdir(tmp_path)
+    Path("plan.toml").write_text(re.findall(r"```toml\n(.*?)```", page, flags=re.DOTALL)[0])
+    assert main(["sweep", "plan.toml", "--workers", "1"]) == 0
+    header, _, *rows = ([cell.strip() for cell in line.strip("|").split("|")] for line in page.splitlines() if line[:1] == "|")
+    table = pd.read_csv("plan-results.csv")
+    assert len(rows) == len(table) == 3
+    for shown, (_, row) in zip(rows, table.iterrows(), strict=True):
+        for name, text in zip(header, shown, strict=True):
+            if name == "ended_by":
+                assert row[name] == text
+            else:
+                digits = len(text.split("e")[0].replace(".", "").strip("0"))
+                assert float(f"{row[name]:.{digits}g}") == pytest.approx(float(text), rel=1e-9), name
