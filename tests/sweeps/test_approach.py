@@ -214,7 +214,11 @@ duration = "20 ms"
         ('load = "100 mN"', 'height = "3 um"', "line 9: height: no parameter of a squeeze film; expected one of radius"),
         ('load = "100 mN"', 'load = "-1 N"', "line 9: load: expected a positive"),
         ('load = "100 mN"', 'load = ["1 N", "x"]', "line 9: load: 'x' has an unknown unit"),
-        ('load = "100 mN"', "", "load, approach_speed, height, history: all missing"),
+        (
+            'load = "100 mN"',
+            "",
+            "load, approach_speed, history: all missing; give exactly one of load, approach_speed, h",
+        ),
         ('load = "100 mN"', 'load = "1 N"\napproach_speed = "1 um/s"', "line 9: load, approach_speed: given together"),
         ('load = "100 mN"', 'approach_speed = "0 m/s"', "line 9: approach_speed: zero"),
         ('load = "100 mN"', 'approach_speed = "1 m"', "line 9: approach_speed: 1 m has the wrong dimension"),

@@ -7,9 +7,13 @@ from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import Any, ClassVar
 
+import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 from softlube.errors import InputError
+
+Array = NDArray[np.floating]
 
 
 @dataclass(frozen=True)
@@ -22,6 +26,10 @@ class Constant:
     def __call__(self, time: float) -> float:
         return self.value
 
+    def at(self, times: Array) -> Array:
+        """At many times."""
+        return np.full(times.shape, self.value)
+
 
 @dataclass(frozen=True)
 class Descent:
@@ -33,6 +41,10 @@ class Descent:
 
     def __call__(self, time: float) -> float:
         return self.start - self.speed * time
+
+    def at(self, times: Array) -> Array:
+        """At many times."""
+        return self.start - self.speed * times
 
 
 @dataclass(frozen=True)
@@ -50,9 +62,20 @@ class Points:
     def __call__(self, time: float) -> float:
         return float(self._curve(time))
 
+    def at(self, times: Array) -> Array:
+        """At many times."""
+        return self._curve(times)
+
 
 KINDS: dict[str, type[Constant] | type[Descent] | type[Points]] = {cls.kind: cls for cls in (Constant, Descent, Points)}
 """Every one by its name in files."""
+
+
+def sampled(drive: Callable[[float], float], times: Array) -> Array:
+    """One of them, or any other function of the time, at many times."""
+    if isinstance(drive, (Constant, Descent, Points)):
+        return drive.at(times)  # a plan of many cases looks at each
+    return np.array([float(drive(t)) for t in times])
 
 
 def to_plain(drive: Callable[[float], float]) -> dict[str, Any]:
@@ -63,7 +86,7 @@ def to_plain(drive: Callable[[float], float]) -> dict[str, Any]:
     InputError
         If it is any other function of the time.
     """
-    if not isinstance(drive, tuple(KINDS.values())):
+    if not isinstance(drive, (Constant, Descent, Points)):
         raise InputError("history: a function of the time cannot be written down; expected a constant or a table of points")
     return {"kind": drive.kind} | asdict(drive)
 

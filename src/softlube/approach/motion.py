@@ -110,7 +110,7 @@ class Motion:
     @cached_property
     def samples(self) -> Array:
         """The history at evenly spaced times."""
-        return np.array([float(self.drive(t)) for t in np.linspace(0, self.duration, SAMPLES)])
+        return drives.sampled(self.drive, np.linspace(0, self.duration, SAMPLES))
 
     def in_units(self, unit: float) -> Motion:
         """The same motion normalised with another unit of height, given over the present one."""

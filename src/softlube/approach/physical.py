@@ -261,7 +261,7 @@ def read_motion(given: Mapping[str, Any], table: Table | None = None) -> tuple[S
     """
     materials = Materials(**read_materials(**{name: given[name] for name in MATERIALS}))
     ways = {name: given[name] for name in WAYS}
-    _exactly_one(ways)
+    exactly_one(ways)
     load, height = given["load"], given["height"]
     limit = 0.0 if given["film_limit"] is None else to_si("film_limit", given["film_limit"])
 
@@ -313,7 +313,8 @@ def read_motion(given: Mapping[str, Any], table: Table | None = None) -> tuple[S
     return setup, _motion(setup, speed, largest, table, function)
 
 
-def _exactly_one(choices: dict[str, object]) -> None:
+def exactly_one(choices: dict[str, object]) -> None:
+    """Refuse several ways of saying one thing if not exactly one is used."""
     chosen = [name for name, value in choices.items() if value is not None]
     if len(chosen) != 1:
         verb = "given together" if chosen else "all missing"

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 from softlube.approach import result as squeezing
 from softlube.approach import sliding_result as sliding
 from softlube.approach.motion import Motion
-from softlube.approach.physical import Setup, Table, read_history, read_motion, squeeze
+from softlube.approach.physical import WAYS, Setup, Table, exactly_one, read_history, read_motion, squeeze
 from softlube.approach.start import read_sliding
 from softlube.errors import InputError
 from softlube.solution import Quantity
@@ -196,6 +196,7 @@ class Approach:
         slides = {name: inputs[name] for name in ("speed", *ONLY_SLIDING) if name in inputs}
         if slides and "speed" not in slides:
             raise InputError(f"{next(iter(slides))}: only a start of sliding has it; give a speed or leave it out")
+        exactly_one({name: inputs.get(name) for name in WAYS if name in self.parameters})
         table = self._histories.get(str(inputs.get("history")))
         setup, motion = read_motion(USUAL | {name: inputs[name] for name in inputs if name not in slides}, table)
         plain, limit = _rounded(motion.to_plain()), _rounded(setup.film_limit / setup.unit_height)
