@@ -141,3 +141,11 @@ def test_negative_friction_is_a_number(tmp_path):
 def test_arrays_are_checked(load, speed, friction, message):
     with pytest.raises(InputError, match=message):
         Measurements.from_arrays(load, speed, friction)
+
+
+def test_inputs_of_either_sign_and_without_unit(tmp_path):
+    path = write(tmp_path, "approach_speed [um/s], indentation [um], poisson_ratio\n-10, 0, 0.45\n10, -1, 0.3\n")
+    columns = read_table(path, ["approach_speed", "indentation", "poisson_ratio"]).columns
+    assert columns["approach_speed"] == pytest.approx([-1e-5, 1e-5])
+    assert columns["indentation"] == pytest.approx([0, -1e-6])
+    assert columns["poisson_ratio"].tolist() == [0.45, 0.3]

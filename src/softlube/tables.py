@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from softlube import units
 from softlube.errors import InputError
 from softlube.units import KINDS, unit_factor
 
@@ -32,10 +33,10 @@ ALIASES = {
     "friction_force": "friction",
 }
 """Other headers for the same thing."""
-DIMENSIONLESS = frozenset({"beta", "beta_load", "slide_to_roll", "friction_coefficient"})
+DIMENSIONLESS = frozenset({"beta", "beta_load", "slide_to_roll", "friction_coefficient", "poisson_ratio"})
 """Columns that take no unit."""
-SIGNED = frozenset({"friction", "friction_coefficient"})
-"""Columns that may be negative: a drift of the force sensor can take a small friction below zero."""
+SIGNED = frozenset({"friction", "friction_coefficient", *units.SIGNED})
+"""Columns that may be zero or negative: inputs that may, and friction, which a drift of the force sensor can take there."""
 FEW = 5
 """Lines named one by one in a notice."""
 

@@ -23,13 +23,18 @@ KINDS = {
     "density": ("kg/m^3", "a density such as '970 kg/m^3'"),
     "poisson_ratio": ("", "a number such as '0.45'"),
     "pressure_viscosity": ("1/Pa", "an inverse pressure such as '20 GPa^-1'"),
+    "approach_speed": ("m/s", "a speed such as '10 um/s', or '-10 um/s' for separation"),
+    "initial_height": ("m", "a length such as '100 um'"),
+    "film_limit": ("m", "a length such as '20 nm'"),
+    "duration": ("s", "a time such as '10 s'"),
+    "pressed": ("s", "a time such as '1 s'"),
 }
 """Unit and example of every physical input."""
 
 PREFIXES = ((-9, "n"), (-6, "µ"), (-3, "m"), (0, ""), (3, "k"), (6, "M"), (9, "G"))
 """Exponents and symbols of the prefixes that are printed."""
 
-SIGNED = ("indentation",)
+SIGNED = ("indentation", "approach_speed", "pressed")
 """Inputs that may be zero or negative."""
 
 
@@ -53,8 +58,8 @@ def to_si(name: str, value: object) -> float:
     Raises
     ------
     InputError
-        If the value is not a positive (an indentation: not a), finite quantity of the right dimension; the message names the
-        parameter.
+        If the value is not a finite quantity of the right dimension, and positive unless it is one of `SIGNED`; the message
+        names the parameter.
     """
     unit, expected = KINDS[name]
     if not unit:

@@ -1,12 +1,19 @@
 """Histories: what they say, and what is refused."""
 
+import json
+import pickle
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from softlube.approach.drives import sampled
 from softlube.approach.motion import Motion, constant_load, constant_speed, history
 from softlube.approach.rings import SqueezeFilm
 from softlube.errors import InputError
+from softlube.fluids import Barus
 from softlube.limits import HERTZ_LOAD
+from softlube.substrates import Layer
 
 
 def _start(motion):
@@ -47,6 +54,28 @@ def test_history_passes_through_its_points_without_overshoot():
     assert motion.samples.max() <= 1 + 1e-12
     assert (motion.duration, motion.initial_height) == (4.0, 2.0)
     assert history("height", [0, 1], [3.0, 2.0]).initial_height == 3.0
+
+
+@pytest.mark.parametrize(
+    "motion",
+    [
+        constant_load(0.1, 2.0, 3.0),
+        constant_speed(-0.5, 1.0, 0.3),
+        history("load", [0, 1, 2, 4], [0.0, 1.0, 1.0, 0.2], 2.0),
+        replace(history("height", [0, 1], [3.0, 2.0]), substrate=Layer(0.5, 0.3), fluid=Barus(2.0)),
+    ],
+    ids=["load", "speed", "history", "models"],
+)
+def test_motions_come_back_from_plain_values(motion):
+    again = Motion.from_plain(json.loads(json.dumps(motion.to_plain())))
+    assert again == motion == pickle.loads(pickle.dumps(motion))
+    times = np.linspace(0, motion.duration, 101)
+    assert np.array_equal(sampled(again.drive, times), [motion.drive(t) for t in times])
+
+
+def test_a_function_has_no_plain_values():
+    with pytest.raises(InputError, match="a function of the time cannot be written down"):
+        Motion("load", lambda t: 1.0, 1.0, 1.0).to_plain()
 
 
 @pytest.mark.parametrize(

@@ -188,12 +188,24 @@ def test_refused(change, text):
 
 
 @pytest.mark.parametrize(
-    "text", ["", "time,speed\n0,1\n1,2\n", "0,1\n1,2\n", "time,load\n0,a\n", "time [kg],load\n0,1\n1,1\n", "time,load\n0\n1\n"]
+    ("text", "message"),
+    [
+        ("", "line 1: expected two columns"),
+        ("time,speed\n0,1\n1,2\n", "line 1: expected two columns headed"),
+        ("0,1\n1,2\n", "line 1: expected two columns headed"),
+        ("time,load\n0,a\n", "line 2: expected two numbers, got '0, a'"),
+        ("time [kg],load\n0,1\n1,1\n", "line 1: cannot read '1 kg'"),
+        ("time,load\n0\n1\n", "line 2: expected two numbers"),
+        ("# a rig\ntime,load\n\n0,1\n1,nan\n", "line 5: expected finite numbers"),
+        ("time,load\n1,1\n2,1\n", "line 2: expected times that start at 0"),
+        ("time,load\n0,1\n2,1\n2,1\n", "line 4: expected times that start at 0 and increase, got 2"),
+        ("time,load\n0,1\n", "line 2: expected at least two points"),
+    ],
 )
-def test_bad_files_are_refused(tmp_path, text):
+def test_bad_files_are_refused_with_the_line(tmp_path, text, message):
     path = tmp_path / "h.csv"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(InputError, match="history"):
+    with pytest.raises(InputError, match=f"history: '.*h.csv', {message}"):
         read_history(path)
     with pytest.raises(InputError, match="does not exist"):
         read_history(tmp_path / "none.csv")

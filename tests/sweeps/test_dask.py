@@ -15,14 +15,24 @@ PARAMETERS = {"beta": [50.0, 100.0, 200.0, 1e12]}
 ROUGH = 0.05
 
 
-def test_a_cluster_gives_the_same_table(tmp_path):
+SQUEEZE = {"radius": "2 mm", "viscosity": "2 Pa s", "young_modulus": ["3 MPa", "3 TPa"], "approach_speed": "1 mm/s"}
+SQUEEZE |= {"initial_height": "20 um", "duration": "10 ms"}
+
+
+@pytest.mark.parametrize(
+    ("motion", "parameters", "states"),
+    [("steady", PARAMETERS, ["done", "done", "done", "failed"]), ("squeeze", SQUEEZE, ["done", "failed"])],
+    ids=["steady", "squeeze"],
+)
+def test_a_cluster_gives_the_same_table(tmp_path, motion, parameters, states):
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
     ) as cluster:
-        on_cluster = softlube.sweep(PARAMETERS, accuracy=ROUGH, store=tmp_path / "store", scheduler=cluster.scheduler_address)
-    here = softlube.sweep(PARAMETERS, accuracy=ROUGH, workers=1)
+        options = {"motion": motion, "accuracy": ROUGH}
+        on_cluster = softlube.sweep(parameters, **options, store=tmp_path / "store", scheduler=cluster.scheduler_address)
+    here = softlube.sweep(parameters, **options, workers=1)
     pd.testing.assert_frame_equal(on_cluster.table, here.table, check_exact=True)
-    assert on_cluster.table["status"].tolist() == ["done", "done", "done", "failed"]
+    assert on_cluster.table["status"].tolist() == states
 
 
 @pytest.mark.parametrize(
@@ -37,14 +47,15 @@ def test_no_scheduler_there(address, message, monkeypatch):
 def test_a_lost_connection_is_no_failure_of_the_case():
     from softlube.problem import Problem
     from softlube.sweeps.executors import Dask
+    from softlube.sweeps.steady import SteadyTask
 
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
     ) as cluster:
-        executor = Dask(cluster.scheduler_address)
+        executor = Dask(cluster.scheduler_address, ["solver"])
         (lane,) = executor.lanes()
-        future = executor.submit(lane, Problem(beta=1000), 1e-3, False)
-        future.task.cancel()
+        future = executor.submit(lane, SteadyTask(Problem(beta=1000)), 1e-3, False)
+        future.remote.cancel()
         with pytest.raises(ConnectionResetError, match="run again to take it up"):
             future.result(60)
         executor.close(wait=False)

@@ -159,7 +159,7 @@ def test_layers_and_oils_are_parameters_like_any_other():
         | {"thickness": ["1 mm", "2 mm"], "base": ["bonded", "frictionless"], "poisson_ratio": 0.45, "pressure_viscosity": 2e-8}
     )
     assert len(plan.cases) == 4
-    assert len({content_key(case.problem, 1e-3) for case in plan.cases}) == 4
+    assert len({content_key(case.task, 1e-3) for case in plan.cases}) == 4
     assert plan.cases[0].contact == softlube.Contact(
         **BALL, thickness="1 mm", poisson_ratio=0.45, base="bonded", pressure_viscosity="20 GPa^-1"
     )

@@ -15,7 +15,9 @@ from softlube.problem import Problem
 from softlube.sweeps import Store
 from softlube.sweeps.executors import Local, WorkerDied
 from softlube.sweeps.run import Stretches, _Run
-from softlube.sweeps.work import Outcome, solve_one
+from softlube.sweeps.steady import SteadyTask
+from softlube.sweeps.tasks import Outcome
+from softlube.sweeps.work import solve_one
 
 BALL = {
     "radius": "2 mm",
@@ -143,19 +145,19 @@ def test_an_unexpected_error_is_a_failure_of_its_case(monkeypatch):
         raise ZeroDivisionError("a defect")
 
     monkeypatch.setattr("softlube.solver.solve_problem", defect)
-    assert solve_one(Problem(beta=10), 1e-3, False).reason == "ZeroDivisionError: a defect"
+    assert solve_one(SteadyTask(Problem(beta=10)), 1e-3, False).reason == "ZeroDivisionError: a defect"
 
 
 def test_a_killed_worker_is_noticed_and_replaced():
     executor = Local(1)
-    problem = Problem(beta=100)
-    assert not executor.submit(0, problem, ROUGH, False).result(60).failed
+    task = SteadyTask(Problem(beta=100))
+    assert not executor.submit(0, task, ROUGH, False).result(60).failed
     (process,) = executor._pools[0]._processes
-    future = executor.submit(0, Problem(beta=2e5), 2e-4, False)
+    future = executor.submit(0, SteadyTask(Problem(beta=2e5)), 2e-4, False)
     os.kill(process, signal.SIGKILL)
     with pytest.raises(WorkerDied):
         future.result(60)
-    assert not executor.submit(0, problem, ROUGH, False).result(60).failed
+    assert not executor.submit(0, task, ROUGH, False).result(60).failed
     executor.close(wait=True)
 
 
@@ -164,8 +166,9 @@ def test_workers_end_with_a_killed_sweep(tmp_path):
         "import os, signal\n"
         "from softlube.sweeps.executors import Local\n"
         "from softlube.problem import Problem\n"
+        "from softlube.sweeps.steady import SteadyTask\n"
         "executor = Local(1)\n"
-        "executor.submit(0, Problem(beta=100), 0.05, False).result()\n"
+        "executor.submit(0, SteadyTask(Problem(beta=100)), 0.05, False).result()\n"
         "print(*executor._pools[0]._processes, flush=True)\n"
         "os.kill(os.getpid(), signal.SIGKILL)\n"
     )
@@ -191,24 +194,25 @@ class Deadly:
     def lanes(self):
         return ["lane"]
 
-    def submit(self, lane, problem, accuracy, fields):
+    def submit(self, lane, task, accuracy, fields):
         future = Future()
-        if self.deaths.get(problem.beta, 0):
-            self.deaths[problem.beta] -= 1
+        beta = task.problem.beta
+        if self.deaths.get(beta, 0):
+            self.deaths[beta] -= 1
             future.set_exception(WorkerDied("killed"))
         else:
-            future.set_result(Outcome("", problem.beta, problem.beta, {"film_min": (1.0, 0.1)}))
+            future.set_result(Outcome("", {"film_min": (1.0, 0.1)}, {"beta": beta}))
         return future
 
     def close(self, *, wait):
         pass
 
 
-def test_a_problem_that_kills_its_worker_twice_has_failed():
-    problems = {str(beta): Problem(beta=beta) for beta in (1, 2, 3)}
+def test_a_task_that_kills_its_worker_twice_has_failed():
+    tasks = {str(beta): SteadyTask(Problem(beta=beta)) for beta in (1, 2, 3)}
     with Store(":memory:") as store:
-        _Run(1e-3, problems, store, False, False, None).go(Deadly({1: 1, 2: 2}))
-        found = store.outcomes(problems)
+        _Run(1e-3, tasks, store, False, False, None).go(Deadly({1: 1, 2: 2}))
+        found = store.outcomes(tasks)
     assert [found[key].failed for key in ("1", "2", "3")] == [False, True, False]
     assert "died 2 times" in found["2"].reason
 
@@ -233,6 +237,18 @@ accuracy = 0.05
 [parameters]
 beta = { from = 30, to = 3000, count = %d }
 """
+SQUEEZE = """
+[sweep]
+motion = "squeeze"
+accuracy = 0.05
+[parameters]
+radius = "2 mm"
+young_modulus = "3 MPa"
+viscosity = "2 Pa s"
+load = "100 mN"
+initial_height = { from = "20 um", to = "200 um", count = %d }
+duration = "2 ms"
+"""
 
 
 def test_two_processes_at_one_store_share_the_work_and_lose_nothing(tmp_path):
@@ -252,12 +268,12 @@ def test_two_processes_at_one_store_share_the_work_and_lose_nothing(tmp_path):
     assert (table["status"] == "done").all()
 
 
-def _killed(tmp_path, cases, kills):
+def _killed(tmp_path, cases, kills, text=PLAN):
     """Kill a sweep at random moments and resume it; the tables of the uninterrupted and of the resumed run, and the counts."""
     import random
 
     plan = tmp_path / "plan.toml"
-    plan.write_text(PLAN % cases)
+    plan.write_text(text % cases)
 
     def command(name):
         return [*COMMAND, str(plan), "--store", str(tmp_path / f"{name}.sweep"), "--output", str(tmp_path / f"{name}.csv")]
@@ -283,6 +299,15 @@ def test_killed_and_resumed(tmp_path):
     whole, killed, counts = _killed(tmp_path, 30, 3)
     assert killed == whole
     assert len(counts) == 30
+    assert set(counts.values()) == {1}
+
+
+@pytest.mark.slow
+def test_squeeze_films_killed_and_resumed(tmp_path):
+    whole, killed, counts = _killed(tmp_path, 20, 3, SQUEEZE)
+    assert killed == whole
+    assert whole.count(b",done,") == 20
+    assert len(counts) == 20
     assert set(counts.values()) == {1}
 
 

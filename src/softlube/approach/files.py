@@ -1,43 +1,55 @@
-"""A squeeze film as an xarray Dataset."""
+"""Squeeze films as xarray Datasets, normalised or in SI."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import asdict
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import xarray as xr
 
 from softlube import fluids, substrates
-from softlube.approach.result import DESCRIPTION, DIMENSION, Squeeze
+from softlube.approach.result import DESCRIPTION, DIMENSION
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from softlube.approach.physical import Setup
+    from softlube.approach.result import Squeeze
+
+SCALES = DIMENSION | {
+    "time": "time",
+    "r": "length",
+    "film": "height",
+    "pressure": "pressure",
+    "volume": "volume",
+    "inflow": "volume",
+    "friction_domain": "friction",
+}
+"""The unit of each variable of a file, its error's too; see `softlube.materials.Materials.scales`."""
 
 
 def to_dataset(result: Squeeze) -> xr.Dataset:
     """Film and pressure on (time, r), the histories with their errors on time; in SI units if the input was physical."""
-
-    def unit(kind: str) -> str:
-        return result.scale(kind)[1] or "1"
-
+    run, summary = result.run, result.to_dict()
     coordinates = {
-        "time": ("time", result.time, {"long_name": "time since the start", "units": unit("time")}),
-        "r": ("r", result.r, {"long_name": "distance from the axis", "units": unit("length")}),
+        "time": ("time", run.time, {"long_name": "time since the start"}),
+        "r": ("r", run.film.grid.r, {"long_name": "distance from the axis"}),
     }
     data: dict[str, tuple[Any, ...]] = {
-        "film": (("time", "r"), result.film, {"long_name": "film thickness", "units": unit("height")}),
-        "pressure": (("time", "r"), result.pressure, {"long_name": "pressure", "units": unit("pressure")}),
+        "film": (("time", "r"), run.films, {"long_name": "film thickness"}),
+        "pressure": (("time", "r"), run.pressures, {"long_name": "pressure"}),
     }
     for name, text in DESCRIPTION.items():
-        units = unit(DIMENSION[name])
-        data[name] = ("time", result.history(name), {"long_name": text, "units": units})
-        data[name + "_error"] = ("time", result.error(name), {"long_name": f"error of the {text}", "units": units})
-    volume = result.scale("volume")[0]
+        data[name] = ("time", result.histories[name], {"long_name": text})
+        data[name + "_error"] = ("time", result.errors[name], {"long_name": f"error of the {text}"})
     for name, values, text in (
-        ("volume", result.run.volume, "liquid within twice the contact radius of the grid"),
-        ("inflow", result.run.inflow, "liquid that has flowed in there since the start"),
+        ("volume", run.volume, "liquid within twice the contact radius of the grid"),
+        ("inflow", run.inflow, "liquid that has flowed in there since the start"),
     ):
-        data[name] = ("time", values * volume, {"long_name": text, "units": unit("volume")})
-    summary = result.to_dict()
+        data[name] = ("time", values, {"long_name": text})
     attributes = {
         "title": "Normal approach of a rigid sphere to an elastic substrate through a film",
         "softlube_version": version("softlube"),
@@ -46,9 +58,36 @@ def to_dataset(result: Squeeze) -> xr.Dataset:
         "volume_error": summary["volume_error"],
         "rings": json.dumps(summary["rings"]),
         "warnings": json.dumps(summary["warnings"]),
-        "substrate": json.dumps(substrates.to_plain(result.run.motion.substrate)),
-        "fluid": json.dumps(fluids.to_plain(result.run.motion.fluid)),
+        "substrate": json.dumps(substrates.to_plain(run.motion.substrate)),
+        "fluid": json.dumps(fluids.to_plain(run.motion.fluid)),
     }
-    if result.setup is not None:
-        attributes["inputs_SI"] = json.dumps(asdict(result.setup))
-    return xr.Dataset(data, coords=coordinates, attrs=attributes)
+    return in_units(xr.Dataset(data, coords=coordinates, attrs=attributes), result.setup)
+
+
+def in_units(data: xr.Dataset, setup: Setup | None, more: Mapping[str, Any] | None = None) -> xr.Dataset:
+    """A normalised dataset in SI, with its physical input and the doubts about it; without a setup with units "1".
+
+    Parameters
+    ----------
+    data : Dataset
+        Normalised with the setup's unit of height.
+    setup : Setup or None
+        The physical input.
+    more : mapping of str to object, optional
+        Inputs besides the setup's.
+    """
+    scaled = {}
+    for name, values in data.variables.items():
+        kind = SCALES.get(str(name).removesuffix("_error"))
+        if kind is not None:
+            factor, unit = setup.units[kind] if setup is not None else (1.0, "1")
+            scaled[name] = (values.dims, values.to_numpy() * factor, values.attrs | {"units": unit})
+    data = data.assign_coords({name: scaled.pop(name) for name in list(data.coords) if name in scaled}).assign(scaled)
+    if setup is None:
+        return data
+
+    def history(name: str) -> NDArray[Any]:
+        return (data[name] if name in data else data.pressure.min(("r", "theta"))).to_numpy()
+
+    doubts = setup.doubts(data.time.to_numpy(), history)
+    return data.assign_attrs(warnings=json.dumps(doubts), inputs_SI=json.dumps(asdict(setup) | dict(more or {})))

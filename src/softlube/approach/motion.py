@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline, PchipInterpolator
+from scipy.interpolate import CubicSpline
 
+from softlube import fluids, substrates
+from softlube.approach import drives
 from softlube.approach.rings import Control, SqueezeFilm
 from softlube.dry import DryContact, dry_contact_at
 from softlube.errors import InputError, NotConvergedError
@@ -77,10 +80,39 @@ class Motion:
         if self.control == "load" and not np.any(self.samples):
             raise InputError("load: zero all the time; nothing moves the sphere")
 
+    def to_plain(self) -> dict[str, Any]:
+        """The motion in plain values, for files.
+
+        Raises
+        ------
+        InputError
+            If its history is a function of the time that cannot be written down.
+        """
+        return {
+            "control": self.control,
+            "drive": drives.to_plain(self.drive),
+            "initial_height": self.initial_height,
+            "duration": self.duration,
+            "longest_step": self.longest_step if np.isfinite(self.longest_step) else None,
+            "substrate": substrates.to_plain(self.substrate),
+            "fluid": fluids.to_plain(self.fluid),
+        }
+
+    @classmethod
+    def from_plain(cls, values: Mapping[str, Any]) -> Motion:
+        """Inverse of `to_plain`."""
+        parts: dict[str, Any] = {
+            "drive": drives.from_plain(values["drive"]),
+            "longest_step": np.inf if values["longest_step"] is None else values["longest_step"],
+            "substrate": substrates.from_plain(values["substrate"]),
+            "fluid": fluids.from_plain(values["fluid"]),
+        }
+        return cls(**(dict(values) | parts))
+
     @cached_property
     def samples(self) -> Array:
         """The history at evenly spaced times."""
-        return np.array([float(self.drive(t)) for t in np.linspace(0, self.duration, SAMPLES)])
+        return drives.sampled(self.drive, np.linspace(0, self.duration, SAMPLES))
 
     def in_units(self, unit: float) -> Motion:
         """The same motion normalised with another unit of height, given over the present one."""
@@ -196,16 +228,16 @@ class Motion:
 
 def constant_load(load: float, initial_height: float, duration: float) -> Motion:
     """A constant load."""
-    return Motion("load", lambda _: load, initial_height, duration)
+    return Motion("load", drives.Constant(load), initial_height, duration)
 
 
 def constant_speed(speed: float, initial_height: float, duration: float) -> Motion:
     """A constant speed of approach; negative for separation."""
-    return Motion("height", lambda t: initial_height - speed * t, initial_height, duration)
+    return Motion("height", drives.Descent(initial_height, speed), initial_height, duration)
 
 
 def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height: float | None = None) -> Motion:
-    """A history given by points, joined by a monotone cubic interpolant that makes no extremes of its own.
+    """A history given by points; see `softlube.approach.drives.Points`.
 
     Parameters
     ----------
@@ -232,10 +264,9 @@ def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height
         initial_height = float(values[0])
     if initial_height is None:
         raise InputError("initial_height: missing; a history of the load does not say where the sphere starts")
-    points = PchipInterpolator(time, values)
     return Motion(
         control,
-        lambda t: float(points(t)),
+        drives.Points(tuple(time.tolist()), tuple(values.tolist())),
         initial_height,
         float(time[-1]),
         longest_step=max(2 * float(np.diff(time).min()), float(time[-1]) / 2000),

@@ -29,8 +29,6 @@ from softlube.units import in_unit, to_si
 
 Array = NDArray[np.floating]
 
-LIKE = {"approach_speed": "speed", "initial_height": "thickness", "film_limit": "roughness"}
-"""Inputs of this module and the contact's input that is read the same way."""
 ATMOSPHERE = 101325.0
 """Absolute pressure around the contact [Pa], for a warning."""
 WAYS = ("load", "approach_speed", "height", "history")
@@ -38,18 +36,11 @@ WAYS = ("load", "approach_speed", "height", "history")
 COLUMNS = {"load": "N", "height": "m"}
 STEPS_OF_A_FUNCTION = 400
 """Time steps at least through a history given as a function, whose features are not known."""
+Table = tuple[str, Array, Array]
+"""What is prescribed, "load" or "height"; times and values in SI."""
 
 
-def si(name: str, value: object) -> float:
-    """A physical input in SI; messages name it as it was given."""
-    kind = LIKE.get(name, name)
-    try:
-        return to_si(kind, value)
-    except InputError as error:
-        raise InputError(name + str(error).removeprefix(kind)) from None
-
-
-def read_history(path: str | os.PathLike[str]) -> tuple[str, Array, Array]:
+def read_history(path: str | os.PathLike[str]) -> Table:
     """A history from a CSV file with a header "time, load" or "time, height", units in brackets if not SI: "time [ms]".
 
     Returns
@@ -61,30 +52,42 @@ def read_history(path: str | os.PathLike[str]) -> tuple[str, Array, Array]:
     Raises
     ------
     InputError
-        If the file is missing or is not such a table.
+        If the file is missing or is not such a table; the message names the line.
     """
     path = os.fspath(path)
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
-            rows = [row for row in csv.reader(file) if row and not row[0].lstrip().startswith("#")]
+            reader = csv.reader(file)
+            numbered = [(reader.line_num, row) for row in reader if row and not row[0].lstrip().startswith("#")]
     except FileNotFoundError:
         raise InputError(f"history: {path!r} does not exist") from None
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"history: cannot read {path!r} ({error})") from None
     expected = 'expected two columns headed "time, load" or "time, height", with units in brackets if not SI'
-    heads = [re.fullmatch(r"\s*(\w+)\s*(?:\[(.+)\]\s*)?", cell) for cell in rows[0]] if rows else []
+    line, first = numbered[0] if numbered else (1, [])
+    heads = [re.fullmatch(r"\s*(\w+)\s*(?:\[(.+)\]\s*)?", cell) for cell in first]
     if len(heads) != 2 or not (heads[0] and heads[1]) or heads[0][1] != "time" or heads[1][1] not in COLUMNS:
-        raise InputError(f"history: {path!r}: {expected}")
+        raise InputError(f"history: {path!r}, line {line}: {expected}")
     control = heads[1][1]
+    place = f"history: {path!r}, line {line}"
     scale = [
-        in_unit("history", f"1 {head[2] or unit}", unit, f"a unit like {unit} in the header")
+        in_unit(place, f"1 {head[2] or unit}", unit, f"a unit like {unit} in the header")
         for head, unit in ((heads[0], "s"), (heads[1], COLUMNS[control]))
     ]
-    try:
-        table = np.array([[float(cell) for cell in row] for row in rows[1:]])
-        time, values = table.T
-    except ValueError:
-        raise InputError(f"history: {path!r}: {expected}, and numbers below") from None
+    points: list[tuple[float, float]] = []
+    for line, row in numbered[1:]:
+        try:
+            instant, value = map(float, row)
+        except ValueError:
+            raise InputError(f"history: {path!r}, line {line}: expected two numbers, got {', '.join(row)!r}") from None
+        if not (np.isfinite(instant) and np.isfinite(value)):
+            raise InputError(f"history: {path!r}, line {line}: expected finite numbers, got {', '.join(row)!r}")
+        if instant <= points[-1][0] if points else instant != 0:
+            raise InputError(f"history: {path!r}, line {line}: expected times that start at 0 and increase, got {instant:g}")
+        points.append((instant, value))
+    if len(points) < 2:
+        raise InputError(f"history: {path!r}, line {line}: expected at least two points of time and {control}")
+    time, values = np.array(points).T
     return control, time * scale[0], values * scale[1]
 
 
@@ -244,13 +247,15 @@ def squeeze(
     return interpreted(follow(motion, accuracy=accuracy, film_limit=limit, progress=progress), setup)
 
 
-def read_motion(given: Mapping[str, Any]) -> tuple[Setup, Motion]:
+def read_motion(given: Mapping[str, Any], table: Table | None = None) -> tuple[Setup, Motion]:
     """The physical input in SI, and the normalised motion.
 
     Parameters
     ----------
     given : mapping of str to object
         Arguments of `squeeze`.
+    table : Table, optional
+        What the history's file says, if it has been read.
 
     Raises
     ------
@@ -259,11 +264,12 @@ def read_motion(given: Mapping[str, Any]) -> tuple[Setup, Motion]:
     """
     materials = Materials(**read_materials(**{name: given[name] for name in MATERIALS}))
     ways = {name: given[name] for name in WAYS}
-    _exactly_one(ways)
+    exactly_one(ways)
     load, height = given["load"], given["height"]
-    limit = 0.0 if given["film_limit"] is None else si("film_limit", given["film_limit"])
+    limit = 0.0 if given["film_limit"] is None else to_si("film_limit", given["film_limit"])
 
-    table = read_history(given["history"]) if given["history"] is not None else None
+    if table is None and given["history"] is not None:
+        table = read_history(given["history"])
     starts_itself = height is not None or (table is not None and table[0] == "height")
     for name, kind, unwanted in (("initial_height", "length", starts_itself), ("duration", "time", table is not None)):
         if unwanted and given[name] is not None:
@@ -279,7 +285,7 @@ def read_motion(given: Mapping[str, Any]) -> tuple[Setup, Motion]:
         if not first > 0:
             raise InputError(f"height: expected a history that starts above the surface, got {first:.3g} m at time 0")
     else:
-        first = si("initial_height", given["initial_height"])
+        first = to_si("initial_height", given["initial_height"])
 
     speed = 0.0
     if given["approach_speed"] is not None:
@@ -291,7 +297,7 @@ def read_motion(given: Mapping[str, Any]) -> tuple[Setup, Motion]:
     elif callable(load):
         largest = max(float(load(t)) for t in np.linspace(0, end, 201))
     else:
-        largest = si("load", load) if load is not None else 0.0
+        largest = to_si("load", load) if load is not None else 0.0
     loaded = load is not None or (table is not None and table[0] == "load")
     if loaded and not largest > 0:
         raise InputError("load: expected a history that presses at some time; got no positive load")
@@ -310,7 +316,8 @@ def read_motion(given: Mapping[str, Any]) -> tuple[Setup, Motion]:
     return setup, _motion(setup, speed, largest, table, function)
 
 
-def _exactly_one(choices: dict[str, object]) -> None:
+def exactly_one(choices: dict[str, object]) -> None:
+    """Refuse several ways of saying one thing if not exactly one is used."""
     chosen = [name for name, value in choices.items() if value is not None]
     if len(chosen) != 1:
         verb = "given together" if chosen else "all missing"
@@ -321,7 +328,7 @@ def _motion(
     setup: Setup,
     speed: float,
     load: float,
-    table: tuple[str, Array, Array] | None,
+    table: Table | None,
     function: Callable[[float], float] | None,
 ) -> Motion:
     """The normalised motion."""

@@ -143,15 +143,16 @@ def sliding_picture(result: Slide, path: str | os.PathLike[str] | None = None) -
 
     if path is not None:
         check_format("plot", path)
-    units, histories = result.setup.units, result.histories
-    width = WIDTH * max(1.0, float(np.sqrt(max(-histories["height"].min(), 0) / result.setup.unit_height)))
+    histories = result.histories
+    units = {kind: result.scale(kind) for kind in ("time", "length", "height", "pressure", "load", "friction")}
+    width = WIDTH * max(1.0, float(np.sqrt(max(-result.values["height"].min(), 0))))
     r = np.linspace(0, width, 300)
     x = np.concatenate([-r[:0:-1], r])
-    length, length_label = _prefix(width * units["length"][0], "m")
-    film, film_label = _prefix(float(histories["film_center"].max()), "m")
-    pressure, pressure_label = _prefix(float(histories["pressure_max"].max()), "Pa")
-    friction, friction_label = _prefix(float(np.abs(histories["friction_domain"]).max()), "N")
-    clock, clock_label = _prefix(float(result.time[-1]), "s")
+    length, length_label = _prefix(width * units["length"][0], units["length"][1])
+    film, film_label = _prefix(float(histories["film_center"].max()), units["height"][1])
+    pressure, pressure_label = _prefix(float(histories["pressure_max"].max()), units["pressure"][1])
+    friction, friction_label = _prefix(float(np.abs(histories["friction_domain"]).max()), units["friction"][1])
+    clock, clock_label = _prefix(float(result.time[-1]), units["time"][1])
     chosen = _chosen(result.time, histories["film_center"])
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(6.9, 5.4), layout="constrained")
@@ -179,7 +180,7 @@ def sliding_picture(result: Slide, path: str | os.PathLike[str] | None = None) -
         right.set(xlabel=f"time{clock_label}")
         right.set_ylabel(f"friction over $r \\leq 2a${friction_label}", color=PRESSURE_COLOUR)
         other = right.twinx()
-        name, text = ("height", "height $h_0$") if result.setup.control == "load" else ("load", "load")
+        name, text = ("height", "height $h_0$") if result.motion.control == "load" else ("load", "load")
         scale, label = _prefix(float(np.abs(histories[name]).max()), units[name][1])
         other.plot(time, histories[name] * scale, color="0.35")
         other.set_ylabel(f"{text}{label}", color="0.35")

@@ -1,4 +1,4 @@
-"""``softlube sweep plan.toml``: many contacts from the command line."""
+"""``softlube sweep plan.toml``: many contacts or squeeze films from the command line."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def sweep(
     Parameters
     ----------
     plan
-        TOML file with the parameters: values, lists, ranges, columns of a CSV file.
+        TOML file with the parameters: values, lists, ranges, columns of a CSV file; of squeeze films with motion = "squeeze".
     output
         Table of the results, .csv or .parquet [default: PLAN-results.csv beside the plan].
     store

@@ -1,7 +1,7 @@
-"""Where problems are solved: processes of this machine, or the workers of a Dask cluster.
+"""Where tasks are solved: processes of this machine, or the workers of a Dask cluster.
 
-Both offer lanes, each of which solves one problem at a time in one process and keeps there the elastic operators of the grids
-it has met.  `softlube.sweeps.run` gives every lane neighbouring β.
+Both offer lanes, each of which solves one task at a time in one process and keeps there what neighbours share, such as the
+elastic operators of the grids it has met.  `softlube.sweeps.run` gives every lane neighbours.
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ import gc
 import os
 import threading
 import time
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterable
 from concurrent.futures import Future
 from typing import Any, Protocol
 
 from softlube.errors import InputError
-from softlube.problem import Problem
-from softlube.sweeps.work import Outcome, solve_one, solver_version
+from softlube.sweeps.tasks import Outcome, Task
+from softlube.sweeps.work import solve_one, solver_version
 
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1")
 """Environment of a worker: as many processes as cores leave no core for a second thread of the linear algebra."""
@@ -28,7 +28,7 @@ JOIN_TIMEOUT = 30.0
 
 
 class WorkerDied(Exception):
-    """The process that solved a problem is gone, by a signal or for want of memory."""
+    """The process that solved a task is gone, by a signal or for want of memory."""
 
 
 class Executor(Protocol):
@@ -38,7 +38,7 @@ class Executor(Protocol):
         """Those there are now; workers may come and go."""
         ...
 
-    def submit(self, lane: Hashable, problem: Problem, accuracy: float, fields: bool) -> Future[Outcome]:
+    def submit(self, lane: Hashable, task: Task, accuracy: float, fields: bool) -> Future[Outcome]:
         """Start to solve; the future raises `WorkerDied` if the process went away, OSError if all of the cluster did."""
         ...
 
@@ -84,7 +84,7 @@ class Local:
         """As many as there are processes."""
         return self._lanes
 
-    def submit(self, lane: Hashable, problem: Problem, accuracy: float, fields: bool) -> Future[Outcome]:
+    def submit(self, lane: Hashable, task: Task, accuracy: float, fields: bool) -> Future[Outcome]:
         """Solve in the lane's process."""
         from loky.process_executor import BrokenProcessPool, ProcessPoolExecutor
 
@@ -105,8 +105,8 @@ class Local:
                 result.set_result(done.result())
 
         try:
-            self._pools[lane].submit(solve_one, problem, accuracy, fields).add_done_callback(hand_on)
-        except BrokenProcessPool as error:  # died between two problems
+            self._pools[lane].submit(solve_one, task, accuracy, fields).add_done_callback(hand_on)
+        except BrokenProcessPool as error:  # died between two tasks
             self._pools.pop(lane, None)
             result.set_exception(WorkerDied(str(error)))
         return result
@@ -119,9 +119,17 @@ class Local:
 
 
 class Dask:
-    """Workers of a Dask cluster.  Where one goes away, the scheduler gives its problem to another."""
+    """Workers of a Dask cluster.  Where one goes away, the scheduler gives its task to another.
 
-    def __init__(self, address: str) -> None:
+    Parameters
+    ----------
+    address : str
+        Of the scheduler.
+    codes : iterable of str
+        Modules that will solve; the workers must have the same.
+    """
+
+    def __init__(self, address: str, codes: Iterable[str]) -> None:
         try:
             from distributed import Client
         except ImportError:
@@ -136,19 +144,18 @@ class Dask:
             raise InputError(f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786")
         try:
             self._client.wait_for_workers(1, timeout=JOIN_TIMEOUT)
-            versions = self._client.run(solver_version)
+            ours = [solver_version(code) for code in sorted(codes)]
+            versions = [version for code in sorted(codes) for version in self._client.run(solver_version, code).values()]
         except TimeoutError:
             self._client.close()
             raise InputError(f"scheduler: {address!r} has no worker") from None
         except Exception as error:
             self._client.close()
             raise InputError(f"scheduler: the workers at {address!r} cannot run softlube ({error})") from None
-        others = set(versions.values()) - {solver_version()}
+        others = set(versions) - set(ours)
         if others:
             self._client.close()
-            raise InputError(
-                f"scheduler: a worker has softlube {others.pop()}, and this is {solver_version()}: install the same"
-            )
+            raise InputError(f"scheduler: a worker has softlube {others.pop()}, and this is {ours[0]}: install the same")
         self._count = 0
 
     def lanes(self) -> list[Hashable]:
@@ -156,15 +163,15 @@ class Dask:
         workers = self._client.scheduler_info(n_workers=-1)["workers"]
         return [(address, thread) for address, worker in workers.items() for thread in range(worker["nthreads"])]
 
-    def submit(self, lane: Hashable, problem: Problem, accuracy: float, fields: bool) -> Future[Outcome]:
+    def submit(self, lane: Hashable, task: Task, accuracy: float, fields: bool) -> Future[Outcome]:
         """Solve on the lane's worker, or on another if that one is gone."""
         from distributed.scheduler import KilledWorker
 
         assert isinstance(lane, tuple)
         self._count += 1
-        task = self._client.submit(
+        remote = self._client.submit(
             solve_one,
-            problem,
+            task,
             accuracy,
             fields,
             workers=[lane[0]],
@@ -187,8 +194,8 @@ class Dask:
             else:
                 result.set_result(done.result())
 
-        task.add_done_callback(hand_on)
-        result.task = task  # type: ignore[attr-defined]  # the cluster forgets a task that nobody holds
+        remote.add_done_callback(hand_on)
+        result.remote = remote  # type: ignore[attr-defined]  # the cluster forgets a task that nobody holds
         return result
 
     def close(self, *, wait: bool) -> None:

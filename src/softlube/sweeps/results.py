@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from softlube.contact import UNITS
 from softlube.errors import InputError
 from softlube.files import check_destination, whole_file
-from softlube.solution import Quantity
 from softlube.units import KINDS
 
 if TYPE_CHECKING:
     import pandas
 
-    from softlube.sweeps.plan import Case
     from softlube.sweeps.run import Sweep
-    from softlube.sweeps.work import Outcome
 
 FORMATS = (".csv", ".parquet")
 
@@ -45,10 +40,10 @@ def check_table(name: str, path: str | os.PathLike[str]) -> Path:
 def to_table(result: Sweep) -> pandas.DataFrame:
     """One row a case, in the plan's order.
 
-    Columns are the inputs, status ("done", "failed") and reason, β of Eqs. (6d) and (30), and every quantity with its error.
-    Physical cases have their quantities in SI, with the unit in the header ("film_min [m]"), so that the file can be read again
-    as a table of cases; dimensionless ones in the paper's normalisation.  The order and the numbers depend on the plan alone,
-    not on who solved what and when.
+    Columns are the inputs, status ("done", "failed") and reason, and what such cases have: steady ones β of Eqs. (6d) and (30),
+    squeeze films when and why they ended, both every quantity with its error.  Physical cases have their quantities in SI, with
+    the unit in the header ("film_min [m]"), so that the file can be read again as a table of cases; dimensionless ones in the
+    paper's normalisation.  The order and the numbers depend on the plan alone, not on who solved what and when.
     """
     import pandas as pd
 
@@ -59,24 +54,10 @@ def to_table(result: Sweep) -> pandas.DataFrame:
         for name, value in case.inputs.items():
             row[f"{name} [{KINDS[name][0]}]" if name in KINDS else name] = value
         row |= {"status": "failed" if outcome.failed else "done", "reason": outcome.reason}
-        for name, value in _numbers(case, outcome).items():
+        for name, value in case.numbers(outcome).items():
             row.setdefault(name, value)
         rows.append(row)
     return pd.DataFrame(rows)
-
-
-def _numbers(case: Case, outcome: Outcome) -> dict[str, float]:
-    if outcome.failed:
-        name = "beta_load" if case.problem.load_controlled else "beta"
-        return {name: case.problem.parameter}
-    row = {"beta": outcome.beta, "beta_load": outcome.beta_load}
-    quantities = {name: Quantity(value, error) for name, (value, error) in outcome.quantities.items()}
-    dimensional = case.contact.dimensional(quantities) if case.contact is not None else {}
-    for name, quantity in (quantities | dimensional).items():
-        unit = f" [{UNITS[name]}]" if name in dimensional and UNITS[name] else ""
-        row[f"{name}{unit}"] = float(quantity)
-        row[f"{name}_error{unit}"] = quantity.error
-    return row
 
 
 def save_table(table: pandas.DataFrame, path: str | os.PathLike[str]) -> None:
@@ -96,15 +77,13 @@ def save_table(table: pandas.DataFrame, path: str | os.PathLike[str]) -> None:
 
 
 def write_fields(result: Sweep, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write every solved case as a NetCDF file that `softlube.load` reads, with its fields in SI if it is physical.
+    """Write every solved case as a NetCDF file, with its fields in SI if it is physical.
 
     Raises
     ------
     InputError
         If the folder cannot be made, or the fields were not kept.
     """
-    from softlube.io import load
-
     folder = Path(folder)
     check_destination("fields", folder / "case-00001.nc") if folder.is_dir() else folder.mkdir()
     written = []
@@ -114,13 +93,7 @@ def write_fields(result: Sweep, folder: str | os.PathLike[str]) -> list[Path]:
             continue
         if outcome.fields is None:
             raise InputError("fields: were not kept by this sweep; run it with fields=True")
-        with tempfile.TemporaryDirectory() as scratch:
-            stored = Path(scratch) / "solution.nc"
-            stored.write_bytes(outcome.fields)
-            solution = load(stored)
-        if case.contact is not None:
-            solution = case.contact.interpret(solution)
         path = folder / f"case-{number:05d}.nc"
-        solution.save(path)
+        case.write(outcome.fields, path)
         written.append(path)
     return written

@@ -1,4 +1,4 @@
-"""The sweep itself: problems to lanes, outcomes to the store, each at once."""
+"""The sweep itself: tasks to lanes, outcomes to the store, each at once."""
 
 from __future__ import annotations
 
@@ -12,29 +12,29 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from softlube.errors import InputError
-from softlube.problem import Problem
 from softlube.sweeps.executors import Dask, Executor, Local, WorkerDied
 from softlube.sweeps.plan import Plan, make_plan, read_plan
 from softlube.sweeps.store import LEASE, Store
-from softlube.sweeps.work import Outcome, content_key, solver_version
+from softlube.sweeps.tasks import Outcome, Task
+from softlube.sweeps.work import content_key, solver_version
 
 if TYPE_CHECKING:
     import pandas
 
 MOST_DEATHS = 2
-"""Times that a problem may take its worker's process with it before it counts as failed."""
+"""Times that a task may take its worker's process with it before it counts as failed."""
 BEAT = 0.5
 """Seconds after which the loop looks up at the latest: at workers that came, claims to renew, the other processes' results."""
 
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a sweep has come, in problems (cases that share one count once).
+    """How far a sweep has come, in tasks (cases that share one count once).
 
     Attributes
     ----------
     total, done : int
-        Problems of the plan; those with an outcome.
+        Tasks of the plan; those with an outcome.
     found : int
         Of these, the ones that were in the store at the start.
     failed : int
@@ -90,9 +90,9 @@ class Sweep:
 
 
 class Stretches:
-    """Problems in the order of β, a stretch for every lane; one that has none left takes half of the longest.
+    """Tasks in their order, a stretch for every lane; one that has none left takes half of the longest.
 
-    Neighbouring β share grids, so a lane that walks along β builds few elastic operators.
+    Neighbours share work, such as the grids of neighbouring β, so every lane walks along neighbours.
     """
 
     def __init__(self, keys: Sequence[str]) -> None:
@@ -112,7 +112,7 @@ class Stretches:
             self._owned[lane] = deque(self._unowned.popleft() for _ in range(count))
 
     def take(self, lane: Hashable) -> str | None:
-        """The lane's next problem; none for a lane that is gone."""
+        """The lane's next task; none for a lane that is gone."""
         own = self._owned.get(lane)
         if own is None:
             return None
@@ -122,7 +122,7 @@ class Stretches:
         return own.popleft() if own else None
 
     def put_back(self, lane: Hashable, key: str) -> None:
-        """A problem that is to be solved again."""
+        """A task that is to be solved again."""
         self._owned.get(lane, self._unowned).appendleft(key)
 
 
@@ -130,17 +130,19 @@ def sweep(
     plan: Plan | Mapping[str, Any] | str | os.PathLike[str],
     *,
     store: str | os.PathLike[str] | None = None,
+    motion: str = "steady",
     combine: str = "product",
-    accuracy: float = 1e-3,
+    accuracy: float | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
     fields: bool = False,
     retry_failed: bool = False,
     progress: Callable[[Progress], None] | None = None,
 ) -> Sweep:
-    """Solve many contacts and keep each as soon as it is solved.
+    """Solve many contacts, in steady sliding or in squeeze films, and keep each as soon as it is solved.
 
-    Cases with the same β are solved once.  A run that was killed is taken up where it was by running it again.
+    Cases that are the same when normalised, such as steady ones of equal β, are solved once.  A run that was killed is taken up
+    where it was by running it again.
 
     Parameters
     ----------
@@ -148,7 +150,7 @@ def sweep(
         A plan, a TOML file, or parameters as for `softlube.sweeps.plan.make_plan`.
     store : path, optional
         Database of the outcomes; without it nothing is kept on disk.
-    combine, accuracy
+    motion, combine, accuracy
         For parameters given as a mapping; see `softlube.sweeps.plan.make_plan`.
     workers : int, optional
         Processes on this machine; as many as it has cores if not given.
@@ -179,23 +181,22 @@ def sweep(
     [0.033, 0.016]
     """
     if not isinstance(plan, Plan):
-        plan = make_plan(plan, combine=combine, accuracy=accuracy) if isinstance(plan, Mapping) else read_plan(plan)
+        plan = (
+            make_plan(plan, motion=motion, combine=combine, accuracy=accuracy) if isinstance(plan, Mapping) else read_plan(plan)
+        )
     if scheduler is not None and workers is not None:
         raise InputError("workers, scheduler: give one of them; the cluster has its own workers")
-    problems: dict[str, Problem] = {}
-    keys = []
-    for case in plan.cases:
-        key = content_key(case.problem, plan.accuracy)
-        problems.setdefault(key, case.problem)
-        keys.append(key)
+    each = [case.task for case in plan.cases]
+    keys = [content_key(task, plan.accuracy) for task in each]
+    tasks: dict[str, Task] = dict(zip(keys, each, strict=True))
     # Before the store: what is refused leaves no file behind.
-    executor: Executor = Local(workers) if scheduler is None else Dask(scheduler)
+    executor: Executor = Local(workers) if scheduler is None else Dask(scheduler, {task.code for task in tasks.values()})
     finished = False
     try:
         with Store(":memory:" if store is None else store) as kept:
-            _Run(plan.accuracy, problems, kept, fields, retry_failed, progress).go(executor)
+            _Run(plan.accuracy, tasks, kept, fields, retry_failed, progress).go(executor)
             finished = True
-            return Sweep(plan, tuple(keys), kept.outcomes(problems, fields=fields))
+            return Sweep(plan, tuple(keys), kept.outcomes(tasks, fields=fields))
     finally:
         executor.close(wait=finished)
 
@@ -206,22 +207,22 @@ class _Run:
     def __init__(
         self,
         accuracy: float,
-        problems: Mapping[str, Problem],
+        tasks: Mapping[str, Task],
         store: Store,
         fields: bool,
         retry_failed: bool,
         progress: Callable[[Progress], None] | None,
     ) -> None:
         self.accuracy = accuracy
-        self.problems = problems
+        self.tasks = tasks
         self.store = store
         self.fields = fields
         self.retry_failed = retry_failed
         self.progress = progress
-        settled = store.settled(problems, fields=fields, retry_failed=retry_failed)
+        settled = store.settled(tasks, fields=fields, retry_failed=retry_failed)
         self.found = self.done = len(settled)
         self.failed = 0
-        order = sorted((key for key in problems if key not in settled), key=lambda key: problems[key].parameter)
+        order = sorted((key for key in tasks if key not in settled), key=lambda key: tasks[key].place)
         self.pending = Stretches(order)
         self.flying: dict[Future[Outcome], tuple[Hashable, str]] = {}
         self.ready: dict[Hashable, str] = {}
@@ -251,7 +252,7 @@ class _Run:
                 self.renewed = time.monotonic()
 
     def _fill(self, executor: Executor) -> None:
-        """A problem for every lane that has none."""
+        """A task for every lane that has none."""
         lanes = executor.lanes()
         self.pending.share(lanes)
         for lane in [lane for lane in self.ready if lane not in lanes]:
@@ -264,10 +265,10 @@ class _Run:
             if key is None and self.ready:  # what another lane has not begun
                 _, key = self.ready.popitem()
             if key is not None:
-                self.flying[executor.submit(lane, self.problems[key], self.accuracy, self.fields)] = lane, key
+                self.flying[executor.submit(lane, self.tasks[key], self.accuracy, self.fields)] = lane, key
 
     def _claim(self, lane: Hashable) -> str | None:
-        """The lane's next problem that is ours to solve."""
+        """The lane's next task that is ours to solve."""
         while (key := self._next(lane)) is not None:
             claim = self.store.claim(key, fields=self.fields, retry_failed=self.retry_failed)
             if claim == "ours":
@@ -286,7 +287,7 @@ class _Run:
         return key if key is not None else (self.theirs.popleft() if self.theirs else None)
 
     def _land(self, future: Future[Outcome], lane: Hashable, key: str) -> None:
-        """Keep what came of a problem."""
+        """Keep what came of a task."""
         try:
             outcome = future.result()
         except WorkerDied as error:
@@ -295,11 +296,12 @@ class _Run:
                 self.pending.put_back(lane, key)
                 return
             outcome = Outcome(f"the process that solved it died {MOST_DEATHS} times ({error})")
-        self.store.save(key, self.problems[key], self.accuracy, solver_version(), outcome)
+        task = self.tasks[key]
+        self.store.save(key, task, self.accuracy, solver_version(task.code), outcome)
         self.done += 1
         self.failed += outcome.failed
         self._report()
 
     def _report(self) -> None:
         if self.progress is not None:
-            self.progress(Progress(len(self.problems), self.done, self.found, self.failed))
+            self.progress(Progress(len(self.tasks), self.done, self.found, self.failed))

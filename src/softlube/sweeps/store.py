@@ -1,7 +1,7 @@
-"""The store of a sweep: every finished problem at once on disk, under a key made of its content.
+"""The store of a sweep: every finished task at once on disk, under a key made of its content.
 
 SQLite with a write-ahead log.  A transaction is there whole or not at all, whenever the process is killed, and several
-processes may read and write at once.  A process that solves a problem says so (a claim), so that another that works on the same
+processes may read and write at once.  A process that solves a task says so (a claim), so that another that works on the same
 store does not solve it, too; the claims of the dead lapse.
 """
 
@@ -18,12 +18,11 @@ from pathlib import Path
 from typing import Literal
 
 from softlube.errors import InputError
-from softlube.problem import Problem
-from softlube.sweeps.work import Outcome
+from softlube.sweeps.tasks import Outcome, Task
 
 APPLICATION = 0x534C5542
 """Marks the file as ours (PRAGMA application_id): "SLUB"."""
-LAYOUT = 1
+LAYOUT = 2
 LEASE = 30.0
 """Seconds after which a claim that is not renewed lapses."""
 PATIENCE = 60.0
@@ -37,9 +36,8 @@ CREATE TABLE IF NOT EXISTS outcomes (
     solver TEXT NOT NULL,
     status TEXT NOT NULL CHECK (status IN ('done', 'failed')),
     reason TEXT NOT NULL,
-    beta REAL,
-    beta_load REAL,
     quantities TEXT NOT NULL,
+    facts TEXT NOT NULL,
     fields BLOB,
     finished TEXT NOT NULL
 ) WITHOUT ROWID;
@@ -90,6 +88,9 @@ class Store:
         application = connection.execute("PRAGMA application_id").fetchone()[0]
         layout = connection.execute("PRAGMA user_version").fetchone()[0]
         tables = connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]
+        if tables and (application, layout) == (APPLICATION, 1):
+            self._take_over()
+            layout = LAYOUT
         if tables and (application, layout) != (APPLICATION, LAYOUT):
             raise InputError(f"store: {str(self.path)!r} is a database of something else, or of another release of softlube")
         connection.execute("PRAGMA journal_mode = WAL")
@@ -99,6 +100,26 @@ class Store:
             connection.executescript(
                 f"BEGIN IMMEDIATE; {_TABLES} PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {LAYOUT}; COMMIT;"
             )
+
+    def _take_over(self) -> None:
+        """Bring a store of the first layout, which had steady cases only and their β in columns, into the present one."""
+        connection = self._connection
+        connection.create_function("facts", 3, _first_facts)
+        connection.execute("BEGIN IMMEDIATE")
+        try:
+            if connection.execute("PRAGMA user_version").fetchone()[0] == 1:  # not by another process meanwhile
+                connection.execute("ALTER TABLE outcomes RENAME TO first_outcomes")
+                connection.execute(_TABLES.split(";")[0])
+                connection.execute(
+                    "INSERT INTO outcomes SELECT key, problem, accuracy, solver, status, reason, quantities, "
+                    "facts(status, beta, beta_load), fields, finished FROM first_outcomes"
+                )
+                connection.execute("DROP TABLE first_outcomes")
+                connection.execute(f"PRAGMA user_version = {LAYOUT}")
+            connection.execute("COMMIT")
+        except BaseException:
+            connection.execute("ROLLBACK")
+            raise
 
     def close(self) -> None:
         """Give up own claims and close the file."""
@@ -118,7 +139,7 @@ class Store:
         found: dict[str, Outcome] = {}
         for key in keys:
             row = self._connection.execute(
-                f"SELECT reason, beta, beta_load, quantities, {'fields' if fields else 'NULL'} FROM outcomes WHERE key = ?",
+                f"SELECT reason, quantities, facts, {'fields' if fields else 'NULL'} FROM outcomes WHERE key = ?",
                 (key,),
             ).fetchone()
             if row is not None:
@@ -136,20 +157,19 @@ class Store:
             and ((status == "done" and (has_fields or not fields)) or (status == "failed" and not retry_failed))
         }
 
-    def save(self, key: str, problem: Problem, accuracy: float, solver: str, outcome: Outcome) -> None:
+    def save(self, key: str, task: Task, accuracy: float, solver: str, outcome: Outcome) -> None:
         """Keep an outcome and end the claim, in one transaction.  A failure never takes the place of a solution."""
         status = "failed" if outcome.failed else "done"
         finished = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())
         values = (
             key,
-            json.dumps(problem.to_plain()),
+            json.dumps(task.to_plain()),
             accuracy,
             solver,
             status,
             outcome.reason,
-            None if outcome.failed else outcome.beta,
-            None if outcome.failed else outcome.beta_load,
             json.dumps(dict(outcome.quantities)),
+            json.dumps(dict(outcome.facts)),
             outcome.fields,
             finished,
         )
@@ -157,9 +177,9 @@ class Store:
         connection.execute("BEGIN IMMEDIATE")
         try:
             connection.execute(
-                "INSERT INTO outcomes VALUES (?,?,?,?,?,?,?,?,?,?,?) ON CONFLICT (key) DO UPDATE SET status = excluded.status, "
-                "reason = excluded.reason, beta = excluded.beta, beta_load = excluded.beta_load, "
-                "quantities = excluded.quantities, fields = coalesce(excluded.fields, fields), finished = excluded.finished "
+                "INSERT INTO outcomes VALUES (?,?,?,?,?,?,?,?,?,?) ON CONFLICT (key) DO UPDATE SET status = excluded.status, "
+                "reason = excluded.reason, quantities = excluded.quantities, facts = excluded.facts, "
+                "fields = coalesce(excluded.fields, fields), finished = excluded.finished "
                 "WHERE outcomes.status = 'failed' OR excluded.status = 'done'",
                 values,
             )
@@ -177,7 +197,7 @@ class Store:
     # --- claims -----------------------------------------------------------------------------------------------------
 
     def claim(self, key: str, *, fields: bool, retry_failed: bool) -> Literal["ours", "settled", "theirs"]:
-        """Reserve a problem: ours to solve, settled meanwhile, or being solved by another process."""
+        """Reserve a task: ours to solve, settled meanwhile, or being solved by another process."""
         connection = self._connection
         connection.execute("BEGIN IMMEDIATE")
         try:
@@ -205,16 +225,16 @@ class Store:
         self._connection.execute("UPDATE claims SET renewed = ? WHERE owner = ?", (time.time(), self.owner))
 
 
-def _outcome(row: tuple[str, float | None, float | None, str, bytes | None]) -> Outcome:
-    reason, beta, beta_load, quantities, fields = row
+def _outcome(row: tuple[str, str, str, bytes | None]) -> Outcome:
+    reason, quantities, facts, fields = row
     values: Mapping[str, list[float]] = json.loads(quantities)
-    return Outcome(
-        reason,
-        float("nan") if beta is None else beta,
-        float("nan") if beta_load is None else beta_load,
-        {name: (value, error) for name, (value, error) in values.items()},
-        fields,
-    )
+    return Outcome(reason, {name: (value, error) for name, (value, error) in values.items()}, json.loads(facts), fields)
+
+
+def _first_facts(status: str, beta: float | None, beta_load: float | None) -> str:
+    """Facts of the first layout's columns; SQLite has no nan."""
+    named = {"beta": beta, "beta_load": beta_load} if status == "done" else {}
+    return json.dumps({name: float("nan") if value is None else value for name, value in named.items()})
 
 
 def _lapsed(host: str, process: int, renewed: float) -> bool:

@@ -1,30 +1,28 @@
-"""One problem solved for a sweep, in whatever process; what it gives back is plain and small."""
+"""One task solved for a sweep, in whatever process, and the key of what comes of it."""
 
 from __future__ import annotations
 
 import ast
 import hashlib
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
 from softlube.errors import SoftlubeError
-from softlube.problem import Problem
+from softlube.sweeps.tasks import Outcome, Task
 
-NO_SAY = frozenset({"cli", "contact", "files", "io", "paper", "plotting", "sweeps"})
-"""Modules that `softlube.solver` can reach and that have no say in its numbers."""
+NO_SAY = ("approach.picture", "cli", "contact", "files", "io", "paper", "plotting", "sweeps")
+"""Modules and packages that the code of a task can reach and that have no say in its numbers."""
 
 
 @cache
-def solver_version() -> str:
-    """Release and a digest of the code that solves: results of another solver are not taken for this one's."""
+def solver_version(code: str) -> str:
+    """Release and a digest of the code that solves, a module with all its imports: another one's results are not ours."""
     from softlube import __version__
 
     digest = hashlib.sha256()
-    for name, source in sorted(_sources("solver").items()):
+    for name, source in sorted(_sources(code).items()):
         digest.update(name.encode() + b"\0" + source + b"\0")
     return f"{__version__}+{digest.hexdigest()[:12]}"
 
@@ -37,7 +35,7 @@ def _sources(start: str) -> dict[str, bytes]:
         name = waiting.pop()
         path = Path(str(files("softlube"))).joinpath(*name.split("."))
         path = path / "__init__.py" if path.is_dir() else path.parent / f"{path.name}.py"
-        if name in found or name.split(".")[0] in NO_SAY or not path.is_file():
+        if name in found or any(f"{name}.".startswith(f"{none}.") for none in NO_SAY) or not path.is_file():
             continue
         found[name] = path.read_bytes()
         for node in ast.walk(ast.parse(found[name])):
@@ -50,56 +48,16 @@ def _sources(start: str) -> dict[str, bytes]:
     return found
 
 
-def content_key(problem: Problem, accuracy: float) -> str:
-    """Digest of all that determines a solution: problem, accuracy and solver."""
-    content = {"problem": problem.to_plain(), "accuracy": accuracy, "solver": solver_version()}
+def content_key(task: Task, accuracy: float) -> str:
+    """Digest of all that determines a solution: task, accuracy and solver."""
+    content = {"problem": task.to_plain(), "accuracy": accuracy, "solver": solver_version(task.code)}
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
 
 
-@dataclass(frozen=True)
-class Outcome:
-    """What came of a problem.
-
-    Attributes
-    ----------
-    reason : str
-        Why it failed; empty if it did not.
-    beta, beta_load : float
-        See `softlube.Solution`; nan for a failure.
-    quantities : mapping of str to (value, error)
-        See `softlube.Solution.quantities`.
-    fields : bytes or None
-        The solution as a NetCDF file, if asked for.
-    """
-
-    reason: str = ""
-    beta: float = float("nan")
-    beta_load: float = float("nan")
-    quantities: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    fields: bytes | None = None
-
-    @property
-    def failed(self) -> bool:
-        """Whether there is no solution."""
-        return bool(self.reason)
-
-
-def solve_one(problem: Problem, accuracy: float, with_fields: bool) -> Outcome:
+def solve_one(task: Task, accuracy: float, with_fields: bool) -> Outcome:
     """Solve; whatever goes wrong is an outcome, too."""
-    from softlube.solver import solve_problem
-
     try:
-        solution = solve_problem(problem, accuracy=accuracy)
-        fields = None
-        if with_fields:
-            import tempfile
-
-            with tempfile.TemporaryDirectory() as folder:
-                path = Path(folder) / "solution.nc"
-                solution.save(path)
-                fields = path.read_bytes()
-        quantities = {name: (float(quantity), quantity.error) for name, quantity in solution.quantities.items()}
-        return Outcome("", solution.beta, solution.beta_load, quantities, fields)
+        return task.solve(accuracy, with_fields)
     except SoftlubeError as error:
         return Outcome(str(error))
     except Exception as error:  # a defect met in one case must not take the others with it

@@ -1,0 +1,215 @@
+"""Squeeze films and starts of sliding as a room of the sweep."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from inspect import signature
+from pathlib import Path
+from typing import Any, ClassVar
+
+from softlube.approach import result as squeezing
+from softlube.approach import sliding_result as sliding
+from softlube.approach.motion import Motion
+from softlube.approach.physical import WAYS, Setup, Table, exactly_one, read_history, read_motion, squeeze
+from softlube.approach.start import read_sliding
+from softlube.errors import InputError
+from softlube.solution import Quantity
+from softlube.sweeps.tasks import Outcome, Value, contents
+
+DIGITS = 12
+"""Digits of the normalised motion that count: cases that differ by rounding only are solved once."""
+ONLY_SLIDING = ("pressed", "cavitation")
+"""Inputs of a start of sliding besides its speed."""
+USUAL = {name: known.default for name, known in signature(squeeze).parameters.items() if name not in ("accuracy", "progress")}
+"""What `softlube.squeeze` takes where nothing is given."""
+
+
+@dataclass(frozen=True)
+class SqueezeTask:
+    """A normalised motion without sliding.
+
+    Attributes
+    ----------
+    motion : mapping
+        See `softlube.approach.motion.Motion.to_plain`.
+    film_limit : float
+    """
+
+    code: ClassVar[str] = "approach.result"
+    scales: ClassVar[Mapping[str, str]] = squeezing.DIMENSION | {"end_time": "time", "dimple_time": "time"}
+    motion: Mapping[str, Any]
+    film_limit: float
+
+    @property
+    def place(self) -> tuple[float, ...]:
+        """Grids follow the height at the start and the duration."""
+        return self.motion["initial_height"], self.motion["duration"]
+
+    def to_plain(self) -> dict[str, Any]:
+        """Its attributes."""
+        return {"motion": dict(self.motion), "film_limit": self.film_limit}
+
+    def solve(self, accuracy: float, with_fields: bool) -> Outcome:
+        """See `softlube.approach.result.follow`."""
+        film = squeezing.follow(Motion.from_plain(self.motion), accuracy=accuracy, film_limit=self.film_limit)
+        facts = {"ended_by": film.run.ended_by, "dimple_time": film.dimple_time}
+        return _outcome(film, facts, with_fields)
+
+
+@dataclass(frozen=True)
+class SlidingTask:
+    """A normalised motion with sliding from time 0 on.
+
+    Attributes
+    ----------
+    motion : mapping
+        See `softlube.approach.motion.Motion.to_plain`.
+    sliding : mapping
+        Arguments of `softlube.approach.sliding_result.follow_sliding`.
+    film_limit : float
+    """
+
+    code: ClassVar[str] = "approach.sliding_result"
+    scales: ClassVar[Mapping[str, str]] = sliding.KIND | {"end_time": "time"}
+    motion: Mapping[str, Any]
+    sliding: Mapping[str, Any]
+    film_limit: float
+
+    @property
+    def place(self) -> tuple[float, ...]:
+        """The grids of the steady solver follow β."""
+        return self.sliding["beta"], self.motion["initial_height"], self.motion["duration"]
+
+    def to_plain(self) -> dict[str, Any]:
+        """Its attributes."""
+        return {"motion": dict(self.motion), "sliding": dict(self.sliding), "film_limit": self.film_limit}
+
+    def solve(self, accuracy: float, with_fields: bool) -> Outcome:
+        """See `softlube.approach.sliding_result.follow_sliding`."""
+        motion = Motion.from_plain(self.motion)
+        start = sliding.follow_sliding(motion, **self.sliding, film_limit=self.film_limit, accuracy=accuracy)
+        return _outcome(start, {"ended_by": start.run.ended_by}, with_fields)
+
+
+def _outcome(result: squeezing.Squeeze | sliding.Slide, facts: Mapping[str, Value], with_fields: bool) -> Outcome:
+    """When and why a normalised motion ended, and its last values."""
+    final = {"end_time": Quantity(float(result.time[-1]), result.time_error)} | result.final
+    return Outcome(
+        quantities={name: (float(quantity), quantity.error) for name, quantity in final.items()},
+        facts=facts,
+        fields=contents(result.save) if with_fields else None,
+    )
+
+
+@dataclass(frozen=True)
+class ApproachCase:
+    """A sphere that comes down or goes up, and may slide.
+
+    Attributes
+    ----------
+    inputs : mapping of str to float or str
+        Arguments of `softlube.squeeze` or `softlube.approach.start.slide` in SI.
+    task : SqueezeTask or SlidingTask
+        Normalised, rounded to `DIGITS` digits.
+    setup : Setup
+        What it is normalised with.
+    sliding : mapping of str to object
+        See `softlube.approach.start.Slide`; empty without sliding.
+    """
+
+    inputs: Mapping[str, Value]
+    task: SqueezeTask | SlidingTask
+    setup: Setup
+    sliding: Mapping[str, Any]
+
+    def numbers(self, outcome: Outcome) -> dict[str, Value]:
+        """Why and when it ended, the last values with their errors, and since when there is a dimple, in SI."""
+        if outcome.failed:
+            return {}
+        units = {name: self.setup.units[kind] for name, kind in self.task.scales.items()}
+        row: dict[str, Value] = {"ended_by": outcome.facts["ended_by"]}
+        for name, (value, error) in outcome.quantities.items():
+            scale, unit = units[name]
+            row[f"{name} [{unit}]"] = value * scale
+            row[f"{name}_error [{unit}]"] = error * scale
+        if row["ended_by"] == "duration":
+            row["end_time [s]"] = self.setup.duration  # as given, not as rounded to be normalised
+        if "dimple_time" in outcome.facts:
+            scale, unit = units["dimple_time"]
+            row[f"dimple_time [{unit}]"] = float(outcome.facts["dimple_time"]) * scale
+        return row
+
+    def write(self, fields: bytes, path: Path) -> None:
+        """Write the file that the case's own `save` would write."""
+        import xarray as xr
+
+        from softlube.approach.files import in_units
+        from softlube.files import whole_file
+
+        with whole_file(path) as temporary:
+            data = xr.load_dataset(io.BytesIO(fields), engine="h5netcdf")
+            in_units(data, self.setup, self.sliding).to_netcdf(temporary, engine="h5netcdf")
+
+
+class Approach:
+    """Squeeze films; with a speed, starts of sliding.
+
+    Parameters
+    ----------
+    folder : Path
+        Where the histories' files are.
+    """
+
+    what: ClassVar[str] = "a squeeze film"
+    needs: ClassVar[str] = "radius, viscosity, …, and one of load, approach_speed and history"
+    parameters: ClassVar[tuple[str, ...]] = (*(name for name in USUAL if name != "height"), "speed", *ONLY_SLIDING)
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._histories: dict[str, Table] = {}
+
+    @property
+    def sources(self) -> tuple[Path, ...]:
+        """The histories' files."""
+        return tuple(self._folder / name for name in self._histories)
+
+    def accuracy(self, given: float | None, names: Iterable[str]) -> float:
+        """See `softlube.squeeze` and `softlube.approach.start.slide`."""
+        usual, ladder = (2e-2, sliding) if "speed" in names else (1e-3, squeezing)
+        finest, coarsest = ladder.FINEST_ACCURACY, ladder.COARSEST_ACCURACY
+        accuracy = usual if given is None else given
+        if isinstance(accuracy, bool) or not isinstance(accuracy, (int, float)) or not finest <= accuracy <= coarsest:
+            sort = self.what if ladder is squeezing else "a start of sliding"
+            raise InputError(f"accuracy: expected a number from {finest:g} to {coarsest:g} for {sort}, got {accuracy!r}")
+        return float(accuracy)
+
+    def prepare(self, inputs: Mapping[str, Value]) -> None:
+        """Read a history: what it says, not its name, decides on the case."""
+        name = inputs.get("history")
+        if isinstance(name, str) and name not in self._histories:
+            self._histories[name] = read_history(self._folder / name)
+
+    def case(self, inputs: Mapping[str, Value]) -> ApproachCase:
+        """The inputs together as `softlube.squeeze` takes them, or `slide` with a speed."""
+        slides = {name: inputs[name] for name in ("speed", *ONLY_SLIDING) if name in inputs}
+        if slides and "speed" not in slides:
+            raise InputError(f"{next(iter(slides))}: only a start of sliding has it; give a speed or leave it out")
+        exactly_one({name: inputs.get(name) for name in WAYS if name in self.parameters})
+        table = self._histories.get(str(inputs.get("history")))
+        setup, motion = read_motion(USUAL | {name: inputs[name] for name in inputs if name not in slides}, table)
+        plain, limit = _rounded(motion.to_plain()), _rounded(setup.film_limit / setup.unit_height)
+        if not slides:
+            return ApproachCase(dict(inputs), SqueezeTask(plain, limit), setup, {})
+        told, normalised = read_sliding(setup, **slides)
+        return ApproachCase(dict(inputs), SlidingTask(plain, _rounded(normalised), limit), setup, told)
+
+
+def _rounded(plain: Any) -> Any:
+    """Plain values with all numbers to `DIGITS` digits."""
+    if isinstance(plain, float):
+        return float(f"{plain:.{DIGITS}g}")
+    if isinstance(plain, Mapping):
+        return {name: _rounded(value) for name, value in plain.items()}
+    return [_rounded(value) for value in plain] if isinstance(plain, (list, tuple)) else plain

@@ -1,0 +1,166 @@
+"""Steady sliding as a room of the sweep."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, ClassVar
+
+from softlube.contact import UNITS, Contact
+from softlube.errors import InputError
+from softlube.problem import Problem
+from softlube.solution import Quantity
+from softlube.sweeps.axes import DIMENSIONLESS
+from softlube.sweeps.tasks import Outcome, Value, contents
+
+PARAMETERS = (
+    "radius",
+    "young_modulus",
+    "shear_modulus",
+    "viscosity",
+    "speed",
+    "load",
+    "indentation",
+    "roughness",
+    "thickness",
+    "density",
+    "poisson_ratio",
+    "pressure_viscosity",
+    *DIMENSIONLESS,
+    "cavitation",
+    "base",
+    "viscosity_law",
+    "density_law",
+)
+DIGITS = 12
+"""Digits of β that count: cases that differ by rounding only are solved once."""
+
+
+@dataclass(frozen=True)
+class SteadyTask:
+    """A dimensionless problem.
+
+    Attributes
+    ----------
+    problem : Problem
+    """
+
+    code: ClassVar[str] = "solver"
+    problem: Problem
+
+    @property
+    def place(self) -> tuple[float, ...]:
+        """Neighbouring β share grids, so a worker that walks along β builds few elastic operators."""
+        return (self.problem.parameter,)
+
+    def to_plain(self) -> dict[str, Any]:
+        """The problem's own."""
+        return self.problem.to_plain()
+
+    def solve(self, accuracy: float, with_fields: bool) -> Outcome:
+        """See `softlube.solve`."""
+        from softlube.solver import solve_problem
+
+        solution = solve_problem(self.problem, accuracy=accuracy)
+        return Outcome(
+            quantities={name: (float(quantity), quantity.error) for name, quantity in solution.quantities.items()},
+            facts={"beta": solution.beta, "beta_load": solution.beta_load},
+            fields=contents(solution.save) if with_fields else None,
+        )
+
+
+@dataclass(frozen=True)
+class SteadyCase:
+    """One contact that slides steadily.
+
+    Attributes
+    ----------
+    inputs : mapping of str to float or str
+        Arguments of `Contact` in SI, or of `Problem`.
+    problem : Problem
+        The dimensionless problem, its β rounded to `DIGITS` digits.
+    """
+
+    inputs: Mapping[str, Value]
+    problem: Problem
+
+    @classmethod
+    def of(cls, inputs: Mapping[str, Value]) -> SteadyCase:
+        """Check the inputs.
+
+        Raises
+        ------
+        InputError
+            If they describe no contact.
+        """
+        if any(name in inputs for name in DIMENSIONLESS):
+            physical = [name for name in inputs if name not in (*DIMENSIONLESS, "cavitation")]
+            if physical:
+                first = next(name for name in DIMENSIONLESS if name in inputs)
+                raise InputError(f"{first}, {physical[0]}: give a dimensionless or a physical contact, not both")
+            problem = Problem(**inputs)  # type: ignore[arg-type]
+        else:
+            problem = Contact(**inputs).problem()  # type: ignore[arg-type]
+        beta = float(f"{problem.parameter:.{DIGITS}g}")
+        rounded = replace(problem, beta_load=beta) if problem.load_controlled else replace(problem, beta=beta)
+        return cls(dict(inputs), rounded)
+
+    @property
+    def contact(self) -> Contact | None:
+        """The physical contact, None for a dimensionless case."""
+        return None if any(name in self.inputs for name in DIMENSIONLESS) else Contact(**self.inputs)  # type: ignore[arg-type]
+
+    @property
+    def task(self) -> SteadyTask:
+        """The problem."""
+        return SteadyTask(self.problem)
+
+    def numbers(self, outcome: Outcome) -> dict[str, Value]:
+        """β of Eqs. (6d) and (30), and every quantity with its error: in SI, or dimensionless in the paper's normalisation."""
+        if outcome.failed:
+            return {"beta_load" if self.problem.load_controlled else "beta": self.problem.parameter}
+        row = dict(outcome.facts)
+        quantities = {name: Quantity(value, error) for name, (value, error) in outcome.quantities.items()}
+        dimensional = self.contact.dimensional(quantities) if self.contact is not None else {}
+        for name, quantity in (quantities | dimensional).items():
+            unit = f" [{UNITS[name]}]" if name in dimensional and UNITS[name] else ""
+            row[f"{name}{unit}"] = float(quantity)
+            row[f"{name}_error{unit}"] = quantity.error
+        return row
+
+    def write(self, fields: bytes, path: Path) -> None:
+        """Write a file that `softlube.load` reads, with its fields in SI if the case is physical."""
+        from softlube.io import load
+
+        with tempfile.TemporaryDirectory() as scratch:
+            stored = Path(scratch) / "solution.nc"
+            stored.write_bytes(fields)
+            solution = load(stored)
+        (solution if self.contact is None else self.contact.interpret(solution)).save(path)
+
+
+class Steady:
+    """Contacts that slide steadily."""
+
+    what: ClassVar[str] = "a contact"
+    needs: ClassVar[str] = "radius, viscosity, …, or beta"
+    parameters: ClassVar[tuple[str, ...]] = PARAMETERS
+
+    def __init__(self, folder: Path) -> None:
+        self.sources: tuple[Path, ...] = ()
+
+    def accuracy(self, given: float | None, names: Iterable[str]) -> float:
+        """See `softlube.solve`."""
+        accuracy = 1e-3 if given is None else given
+        if isinstance(accuracy, bool) or not isinstance(accuracy, (int, float)) or not 0 < accuracy <= 0.1:
+            raise InputError(f"accuracy: expected a number up to 0.1 such as 1e-3, got {accuracy!r}")
+        return float(accuracy)
+
+    def prepare(self, inputs: Mapping[str, Value]) -> None:
+        """There is nothing to look at beforehand."""
+
+    def case(self, inputs: Mapping[str, Value]) -> SteadyCase:
+        """See `SteadyCase.of`."""
+        return SteadyCase.of(inputs)
