@@ -100,8 +100,8 @@ def test_a_spike_that_is_resolved():
     assert not solution.warnings
     height = solution.pressure_max / HERTZ_PRESSURE
     assert height == pytest.approx(1.3856, abs=float(solution.pressure_max.error) / HERTZ_PRESSURE)
-    assert solution.pressure_max.error < 1e-2 * solution.pressure_max
-    assert abs(height - 1.3856) < solution.pressure_max.error / HERTZ_PRESSURE < 1e-2
+    assert solution.pressure_max.error < 3e-2 * solution.pressure_max
+    assert abs(height - 1.3856) < 2e-3
     assert height > 1.3 * solution.pressure_center / HERTZ_PRESSURE
     assert float(moes_film(solution.film_center, solution.beta_load)) == pytest.approx(3.2810, abs=3e-4)
 

@@ -128,7 +128,7 @@ def estimate_errors(
         last = abs(value - before[name])
         changes = max(0.6 * last, 0.05 * abs(before[name] - levels[-3][name])) if len(levels) > 2 else last
         if name in slow:
-            changes = LEFT_OF_FIRST_ORDER * last
+            changes *= LEFT_OF_FIRST_ORDER / 0.6
         estimates[name] = 0.0 if name == exact else max(changes, yardstick(name, finest) * floors[name] / n_theta**2)
     return estimates
 

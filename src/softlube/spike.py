@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from softlube.fields import Fields
 from softlube.fluids import Fluid
 from softlube.solution import Quantity
+
+Array = NDArray[np.floating]
 
 OUTLET = np.array([np.pi])
 SHARP, SHARPEST = 0.3, 2.0
@@ -18,6 +21,8 @@ NEAR = 0.6, 1.1
 """Where the spike on the outlet axis is looked for, over the radius of the film's crest."""
 LEFT_OF_FIRST_ORDER = 2.0
 """Error over the last change of what converges like the spacing, on grids 1.5 times finer each."""
+BETWEEN_NODES = 0.25
+"""How far a spike's height hangs on where the nodes are, over the fall to the next of them (measured)."""
 LARGEST_SPIKE_ERROR = 0.1
 """Relative error up to which what goes by a spike is given."""
 DESCRIPTION = {"spike_pressure": "pressure spike on the outlet axis", "spike_radius": "radius of the spike"}
@@ -47,16 +52,20 @@ def outlet_crest(fields: Fields) -> float:
     return float(r[np.argmin(np.gradient(slope, r))])
 
 
-def outlet_spike(fields: Fields) -> tuple[float, float, float] | None:
-    """Radius, pressure and width of the node where the spike stands on the outlet axis; None where the pressure only falls."""
+def outlet_spike(fields: Fields) -> tuple[Array, Array] | None:
+    """Radius and pressure of the node where the spike stands on the outlet axis, and how far the grid can tell them.
+
+    That is a cell's width, and a share of the fall to the higher neighbour.  None where the pressure only falls.
+    """
     crest = outlet_crest(fields)
     pressure = fields.pressure[:, -1]
     here = np.flatnonzero((pressure[1:-1] > pressure[:-2]) & (pressure[1:-1] > pressure[2:])) + 1
     here = here[(fields.r[here] > NEAR[0] * crest) & (fields.r[here] < NEAR[1] * crest)]
     if not here.size:
         return None
-    highest = here[np.argmax(pressure[here])]
-    return float(fields.r[highest]), float(pressure[highest]), float(fields.r[highest + 1] - fields.r[highest])
+    i = int(here[np.argmax(pressure[here])])
+    doubt = fields.r[i + 1] - fields.r[i], BETWEEN_NODES * (pressure[i] - max(pressure[i - 1], pressure[i + 1]))
+    return np.array([fields.r[i], pressure[i]]), np.array(doubt)
 
 
 def steepest_fall(fields: Fields) -> float:
@@ -89,9 +98,11 @@ def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
     before, last = (outlet_spike(fields) for fields in grids[-2:])
     if before is None or last is None or is_open(grids[-1]):
         return {}
-    shift, change = (LEFT_OF_FIRST_ORDER * abs(here - there) for here, there in zip(last[:2], before[:2], strict=True))
-    spike = {"spike_pressure": Quantity(last[1], change), "spike_radius": Quantity(last[0], max(shift, last[2]))}
-    return spike if change <= LARGEST_SPIKE_ERROR * last[1] else {}
+    values, doubt = last
+    errors = np.maximum(LEFT_OF_FIRST_ORDER * np.abs(values - before[0]), doubt)
+    names = ("spike_radius", "spike_pressure")
+    spike = {name: Quantity(*pair) for name, *pair in zip(names, values, errors, strict=True)}
+    return spike if errors[1] <= LARGEST_SPIKE_ERROR * values[1] else {}
 
 
 def doubts(fields: Fields, missing: Sequence[str]) -> tuple[str, ...]:
