@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 import softlube
 from softlube.contact import UNITS
+from softlube.spike import DESCRIPTION as SPIKE
 from softlube.units import KINDS, to_si
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
@@ -118,7 +119,7 @@ def test_physical_numbers_follow_from_the_dimensionless_ones(physical):
     for unit, beta in ((indentation, physical.beta), (height, physical.beta_load)):
         assert (2 / 3) * unit**2 / radius * math.pi * modulus / (2 * 1e-4) == pytest.approx(beta, rel=1e-12)
     assert physical.dimensional["indentation"].error == pytest.approx(height * physical.height.error)
-    assert set(physical.dimensional) == set(UNITS)
+    assert set(physical.dimensional) == set(UNITS) - set(SPIKE)
 
 
 AT_THE_EDGE = (

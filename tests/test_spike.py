@@ -205,7 +205,7 @@ def test_mass_is_conserved_across_a_spike(resolved):
 
 
 def test_a_needle_with_a_finite_height_is_given_with_its_error_or_not_at_all():
-    """M = 20, L = 10 with Barus's law: the films are good, the spike (2.3 p_H) is known to some 10 %, friction not at all."""
+    """M = 20, L = 10 with Barus's law: the films are good, the spike is not known to 10 %, friction not at all."""
     beta_load, fluid = dense(20, 10, "barus")
     solution = softlube.solve(beta_load=beta_load, fluid=fluid, accuracy=1e-2)
     assert "hardly resolve; not given, because the error would be above 10 %" in solution.warnings[0]
@@ -226,6 +226,17 @@ def test_command_in_si_units(capsys):
     said = " ".join(capsys.readouterr().out.split())
     assert "Warning: the pressure has a spike at r = 0.6" in said
     assert "maximum pressure none" in said
+
+
+@pytest.mark.slow
+def test_a_mesh_about_the_spike_shows_its_height(monkeypatch, capsys):
+    """1.97 p_H at 0.7467 a, from below."""
+    monkeypatch.setattr("sys.argv", ["spike_sphere.py", "--layers", "5e-4", "1e-4", "--angles", "26"])
+    runpy.run_path(str(Path(__file__).parents[1] / "benchmarks" / "spike_sphere.py"), run_name="__main__")
+    rows = [line.split() for line in capsys.readouterr().out.splitlines()[1:]]
+    (coarse, fine), places = ([float(row[3]) for row in rows], [float(row[2]) for row in rows])
+    assert 1.89 < coarse < fine < 1.97
+    assert places == pytest.approx([0.7467, 0.7467], abs=2e-4)
 
 
 @pytest.mark.slow
