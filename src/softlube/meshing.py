@@ -25,6 +25,8 @@ DEEP_BETA = 3e4
 STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.25, 1.4
 """What `steepness` adds to the mesh: by how much its zone at the edge moves outwards, over β^(−2/5); crowding at the sides;
 angular intervals and, with its square, radial spacing, both as a fraction."""
+STEEP_BETA = 3e2, 3e4
+"""β′ from which on it counts, and beyond which it does in full."""
 COARSEST = 0.43
 """Spacing of ξ that `STEEP_STEP` does not go beyond, lest the first grid be no start for the second."""
 TOUCHING = 4.5
@@ -70,9 +72,13 @@ def steepness(problem: Problem) -> float:
     """How much of the dry pressure's rise at the contact's edge is the substrate's: 0 on a half-space, up to 1 on thin layers.
 
     Inwards from the edge the pressure rises ever faster on a thin layer, ever more slowly on a half-space.  So the film that
-    enters widens the contact by more of its boundary layer's width, and the minimum at the sides is sharper in angle.
+    enters widens the contact by more of its boundary layer's width, and the minimum at the sides is sharper in angle.  It
+    counts as far as these layers are narrow, in full beyond the second of `STEEP_BETA`.
     """
-    return 0.0 if over_a_gap(problem) else 1 - 1 / dry_under(problem).edge
+    if over_a_gap(problem):
+        return 0.0
+    narrow = np.interp(np.log(max(like_hertz(problem), 1.0)), np.log(STEEP_BETA), (0.0, 1.0))
+    return float(narrow) * (1 - 1 / dry_under(problem).edge)
 
 
 def angles_for(problem: Problem, n_theta: int) -> int:

@@ -1,0 +1,46 @@
+"""Do starts of sliding end in what `softlube.solve` says of steady sliding?  Makes the tables of docs/squeeze.md.
+
+OPENBLAS_NUM_THREADS=1 python benchmarks/long_time_limit.py
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import softlube
+from softlube.approach.motion import constant_load
+from softlube.approach.sliding import start_sliding
+from softlube.fluids import Barus, Newtonian
+from softlube.limits import HERTZ_LOAD
+from softlube.quantities import measure
+from softlube.substrates import HalfSpace, Layer
+
+CASES = [
+    (1.0, HalfSpace(), Newtonian()),
+    (1000.0, HalfSpace(), Newtonian()),
+    (3e4, HalfSpace(), Newtonian()),
+    (100.0, Layer(1.0), Newtonian()),
+    (100.0, Layer(0.3), Newtonian()),
+    (1000.0, Layer(0.3), Newtonian()),
+    (1000.0, HalfSpace(), Barus(5.0)),
+    (1000.0, Layer(1.0), Barus(5.0)),
+]
+COMPARED = ("film_center", "film_min", "friction_contact")
+LONG = 8.0
+"""Duration over β, after which the liquid has passed through the contact four times."""
+SHORTEST = 60.0
+"""Duration at least, for the sphere to come down."""
+
+
+def main() -> None:
+    print("β by the load, substrate, liquid: relative difference (error in solve) of " + ", ".join(COMPARED))
+    for beta, substrate, fluid in CASES:
+        motion = replace(constant_load(HERTZ_LOAD, 1.0, max(LONG * beta, SHORTEST)), substrate=substrate, fluid=fluid)
+        late = measure(start_sliding(beta, motion, n_theta=18, tolerance=2e-3).fields[-1])
+        steady = softlube.solve(beta_load=beta, substrate=substrate, fluid=fluid).quantities
+        row = [f"{abs(late[name] / steady[name] - 1):.1e} ({steady[name].error / abs(steady[name]):.0e})" for name in COMPARED]
+        print(f"{beta:g}, {substrate}, {fluid}: {', '.join(row)}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
