@@ -1,6 +1,8 @@
-"""How high is the spike under Barus's law?  A sphere on a mesh that is laid about the spike, not about the contact.
+r"""How high is the spike under Barus's law?  A sphere on a mesh that is laid about the spike, not about the contact.
 
     OPENBLAS_NUM_THREADS=1 python benchmarks/spike_sphere.py
+    OPENBLAS_NUM_THREADS=1 python benchmarks/spike_sphere.py --moes 200 --shift 0.055 --crest 0.8775 \
+        --edge-layer 0.03 --side-layer 0.3 --angles 26 --layers 5e-4 1e-4 5e-5
 
 The ridge of a steep spike runs askew to circles about the contact's centre, and a polar mesh there resolves it on the outlet
 axis at best.  About a point nearer to the outlet it is a circle, to 0.002 contact radii over 60 degrees on either side, so that
@@ -33,6 +35,8 @@ Array = NDArray[np.floating]
 
 COEFFICIENT = 20e-9
 """α [1/Pa]."""
+SMALLEST_STEP = 5e-5
+"""Share of the viscosity's rise in a step, with which the march gives up."""
 RADIAL_STEP = 4.5
 """Spacing of ξ times the number of angles."""
 
@@ -58,7 +62,7 @@ def about_contact(r: Array, theta: Array, shift: float) -> tuple[Array, Array]:
 def march(problem: Problem, grid: PolarGrid, shift: float, plain: Array) -> tuple[ShiftedSystem, Array] | None:
     """From constant viscosity up to the problem's own, in steps that adapt, along the secant."""
     here, state, before, behind, step = 0.0, plain, 0.0, plain, 0.1
-    while step > 1e-3:
+    while step > SMALLEST_STEP:
         there = min(here + step, 1.0)
         guess = state.copy()
         if here > before:

@@ -230,7 +230,7 @@ def test_command_in_si_units(capsys):
 
 @pytest.mark.slow
 def test_a_mesh_about_the_spike_shows_its_height(monkeypatch, capsys):
-    """1.97 p_H at 0.7467 a, from below."""
+    """1.98 p_H at 0.7467 a, from below."""
     monkeypatch.setattr("sys.argv", ["spike_sphere.py", "--layers", "5e-4", "1e-4", "--angles", "26"])
     runpy.run_path(str(Path(__file__).parents[1] / "benchmarks" / "spike_sphere.py"), run_name="__main__")
     rows = [line.split() for line in capsys.readouterr().out.splitlines()[1:]]
