@@ -60,6 +60,8 @@ FREE_BOUNDARY_STEEP, FREE_BOUNDARY_STEEP_DEEP = {"film_center": 0.08}, {"film_mi
 """The same on layers, whose meshes have fewer rings for their angles, at any β and at a very large one."""
 SUCTION = {"film_min": 1.0, "shear_rate_max": 3.5}
 """The same without the Reynolds condition, where it differs: the largest shear lies in the suction behind the contact."""
+LEFT, LEFT_BEFORE = 0.6, 0.05
+"""Error over the last change, and over the one before it, which counts where the last is small by chance."""
 COARSE_BETA = 3e6
 """β up to which the coarsest grid is of use."""
 
@@ -126,9 +128,9 @@ def estimate_errors(
     estimates = {}
     for name, value in finest.items():
         last = abs(value - before[name])
-        changes = max(0.6 * last, 0.05 * abs(before[name] - levels[-3][name])) if len(levels) > 2 else last
+        changes = max(LEFT * last, LEFT_BEFORE * abs(before[name] - levels[-3][name])) if len(levels) > 2 else last
         if name in slow:
-            changes *= LEFT_OF_FIRST_ORDER / 0.6
+            changes *= LEFT_OF_FIRST_ORDER / LEFT
         estimates[name] = 0.0 if name == exact else max(changes, yardstick(name, finest) * floors[name] / n_theta**2)
     return estimates
 
