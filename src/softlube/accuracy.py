@@ -8,7 +8,7 @@ from softlube.fields import Fields
 from softlube.meshing import DEEP_BETA, like_hertz, over_a_gap, steepness
 from softlube.problem import Problem
 from softlube.quantities import BOUNDARY_LAYER_LEVEL
-from softlube.spike import LARGEST_SPIKE_ERROR, LEFT_OF_FIRST_ORDER, is_open, is_sharp
+from softlube.spike import LARGEST_SPIKE_ERROR, LEFT_OF_FIRST_ORDER, is_needle, is_sharp
 
 LOOSER = {"film_min": 3.0, "shear_rate_max": 3.0}
 LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
@@ -16,7 +16,7 @@ LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
 more angles the larger β is; the second beyond `COARSE_BETA`."""
 REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg")
 """Quantities that carry an error but do not decide when the grid is fine enough."""
-SPIKE_BOUND = ("pressure_max", "boundary_layer", "friction_contact", "friction_domain", "shear_rate_max")
+SPIKE_BOUND = ("pressure_max", "boundary_layer", "friction_contact", "friction_domain")
 """Quantities that the tip of a pressure spike decides, or the viscosity in it: none where no grid resolves the spike."""
 FREE_BOUNDARY = {
     "load": 0.15,
@@ -74,8 +74,9 @@ def yardstick(name: str, values: Mapping[str, float]) -> float:
     """
     if name.startswith("film_min_"):
         return 1.0
-    extra = {"height": values["film_center"], "boundary_layer": BOUNDARY_LAYER_LEVEL**2 / 2}
-    return abs(values[name]) + extra.get(name, 0.0)
+    if name == "height":
+        return abs(values[name]) + values["film_center"]
+    return abs(values[name]) + (BOUNDARY_LAYER_LEVEL**2 / 2 if name == "boundary_layer" else 0.0)
 
 
 def floors_for(problem: Problem) -> Mapping[str, float]:
@@ -159,7 +160,7 @@ def spike_bound(fields: Fields) -> tuple[str, ...]:
 
 
 def withheld(fields: Fields, values: Mapping[str, float], errors: Mapping[str, float]) -> tuple[str, ...]:
-    """Those of them that are not given: where the spike has no height, or the error is large."""
-    if is_open(fields):
+    """Those of them that these grids do not give: where the spike is a needle to them, or the error is large."""
+    if is_needle(fields):
         return SPIKE_BOUND
     return tuple(name for name in spike_bound(fields) if not errors[name] <= LARGEST_SPIKE_ERROR * yardstick(name, values))

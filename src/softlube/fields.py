@@ -97,6 +97,12 @@ class Fields:
         return self._spline(self.pressure)
 
     @cached_property
+    def reduced_spline(self) -> RectBivariateSpline:
+        """Reduced pressure q = ∫ η₀/η dp (ξ, s), whose gradient drives the flow and which knows nothing of spikes."""
+        reduced = self.fluid.reduced_pressure(self.pressure)
+        return self.pressure_spline if reduced is self.pressure else self._spline(reduced)
+
+    @cached_property
     def film_spline(self) -> RectBivariateSpline:
         """ū(ξ, s)."""
         return self._spline(self.film)
@@ -126,9 +132,10 @@ class Fields:
         """η(p)/η₀ on the product of chart coordinates."""
         return self.fluid.viscosity(self.pressure_spline(xi, s))
 
-    def gradient_on(self, xi: Array, s: Array) -> tuple[Array, Array]:
-        """Cartesian pressure gradient (∂p/∂x, ∂p/∂y) on the product of chart coordinates ξ > 0 and s."""
+    def gradient_on(self, xi: Array, s: Array, spline: RectBivariateSpline | None = None) -> tuple[Array, Array]:
+        """Cartesian gradient of the pressure, or of another spline, on the product of chart coordinates ξ > 0 and s."""
+        spline = self.pressure_spline if spline is None else spline
         r, theta = self.chart.r_of(xi), self.chart.theta_of(s)
-        p_r = self.pressure_spline(xi, s, dx=1) / self.chart.dr_dxi(r)[:, None]
-        p_t = self.pressure_spline(xi, s, dy=1) / self.chart.dtheta_ds(s) / r[:, None]
-        return np.cos(theta) * p_r - np.sin(theta) * p_t, np.sin(theta) * p_r + np.cos(theta) * p_t
+        by_r = spline(xi, s, dx=1) / self.chart.dr_dxi(r)[:, None]
+        by_theta = spline(xi, s, dy=1) / self.chart.dtheta_ds(s) / r[:, None]
+        return np.cos(theta) * by_r - np.sin(theta) * by_theta, np.sin(theta) * by_r + np.cos(theta) * by_theta

@@ -18,6 +18,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import RectBivariateSpline
 
 from softlube.errors import InputError
 from softlube.free_boundary import CENTRE, filling, free_boundary, is_wet, polar
@@ -47,13 +48,22 @@ def substrate_height(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Arra
 
 def pressure_gradient(solution: Solution, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
     """∂p̄/∂r and (1/r) ∂p̄/∂θ at polar coordinates (broadcast); zero behind the free boundary."""
-    fields = solution.fields
+    return _gradient(solution, solution.fields.pressure_spline, r, theta)
+
+
+def driving_gradient(solution: Solution, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
+    """The same of q, with (η/η₀)∇q = ∇p: what drives the flow, smooth even where the pressure has a spike."""
+    return _gradient(solution, solution.fields.reduced_spline, r, theta)
+
+
+def _gradient(solution: Solution, spline: RectBivariateSpline, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
+    chart = solution.fields.chart
     radius, angle, side = polar(r, theta)
-    xi, s = fields.chart.xi_of(radius), fields.chart.s_of(angle)
+    xi, s = chart.xi_of(radius), chart.s_of(angle)
     wet = is_wet(solution, r, theta)
-    p_r = fields.pressure_spline(xi, s, dx=1, grid=False) / fields.chart.dr_dxi(radius)
-    p_t = fields.pressure_spline(xi, s, dy=1, grid=False) / fields.chart.dtheta_ds(s) / radius
-    return np.where(wet, p_r, 0.0), np.where(wet, side * p_t, 0.0)
+    by_r = spline(xi, s, dx=1, grid=False) / chart.dr_dxi(radius)
+    by_theta = spline(xi, s, dy=1, grid=False) / chart.dtheta_ds(s) / radius
+    return np.where(wet, by_r, 0.0), np.where(wet, side * by_theta, 0.0)
 
 
 def _level(
@@ -126,19 +136,19 @@ def velocity(
     """
     _check_frame(frame)
     zeta, rest = _level(solution, r, theta, z, level)
-    p_r, p_t = pressure_gradient(solution, r, theta)
-    parabola = -3 * solution.fields.beta * solution.fields.film_at(r, theta) ** 2 * zeta * rest / _viscosity(solution, r, theta)
+    q_r, q_t = driving_gradient(solution, r, theta)
+    parabola = -3 * solution.fields.beta * solution.fields.film_at(r, theta) ** 2 * zeta * rest
     couette = zeta if frame == "substrate" else -rest
-    return parabola * p_r + couette * np.cos(theta), parabola * p_t - couette * np.sin(theta)
+    return parabola * q_r + couette * np.cos(theta), parabola * q_t - couette * np.sin(theta)
 
 
 def mean_velocity(solution: Solution, r: ArrayLike, theta: ArrayLike, *, frame: Frame = "substrate") -> tuple[Array, Array]:
     """Velocity averaged through the film, Eq. (24)."""
     _check_frame(frame)
-    p_r, p_t = pressure_gradient(solution, r, theta)
-    mobility = -solution.fields.beta / 2 * solution.fields.film_at(r, theta) ** 2 / _viscosity(solution, r, theta)
+    q_r, q_t = driving_gradient(solution, r, theta)
+    mobility = -solution.fields.beta / 2 * solution.fields.film_at(r, theta) ** 2
     couette = 0.5 if frame == "substrate" else -0.5
-    return mobility * p_r + couette * np.cos(theta), mobility * p_t - couette * np.sin(theta)
+    return mobility * q_r + couette * np.cos(theta), mobility * q_t - couette * np.sin(theta)
 
 
 def shear_stress(

@@ -123,12 +123,17 @@ def friction_within(fields: Fields, cutoff: float) -> float:
     return integrate(fields, shear, cutoff)
 
 
+def poiseuille_within(fields: Fields, cutoff: float) -> float:
+    """Part of `friction_within` that the pressure gradient makes."""
+    return integrate(fields, lambda xi, s: 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0], cutoff)
+
+
 def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
     """Larger of the shear rates on the two walls, Eq. (25) with its transverse component, in units of v/|h₀|."""
     film = fields.film_spline(xi, s)
-    p_x, p_y = fields.gradient_on(xi, s)
-    poiseuille = 3 * fields.beta * film / fields.viscosity_on(xi, s)
-    return np.hypot(1 / film + np.abs(poiseuille * p_x), poiseuille * p_y)
+    q_x, q_y = fields.gradient_on(xi, s, fields.reduced_spline)
+    poiseuille = 3 * fields.beta * film
+    return np.hypot(1 / film + np.abs(poiseuille * q_x), poiseuille * q_y)
 
 
 def measure(fields: Fields) -> dict[str, float]:
@@ -180,14 +185,14 @@ def measure(fields: Fields) -> dict[str, float]:
         "pressure_center": float(fields.pressure_at(0.0, 0.0)),
         "pressure_max": pressure_max,
         "pressure_gradient_inlet": -slope,
-        "boundary_layer": _boundary_layer(fields, pressure_max),
+        "boundary_layer": boundary_layer(fields, pressure_max),
         "friction_contact": friction_within(fields, CONTACT),
         "friction_domain": friction_within(fields, min(DOMAIN, float(fields.r[-1]))),
         "shear_rate_max": shear_rate_max,
     }
 
 
-def _boundary_layer(fields: Fields, pressure_max: float) -> float:
+def boundary_layer(fields: Fields, pressure_max: float) -> float:
     """Distance from r = 1 to where the pressure on the inlet axis has fallen to 5 % of its maximum, Eq. (21)."""
     xi_nodes = fields.chart.xi_of(fields.r)
     xi = _fine(xi_nodes, 0.0, float(xi_nodes[-1]), 2)

@@ -155,7 +155,7 @@ class Solution:
             return self.saved_quantities
         from softlube.solver import normalised_otherwise
 
-        return normalised_otherwise(self.problem, self.levels)
+        return normalised_otherwise(self.problem, self.levels, self.quantities)
 
     def normalised(self, by: str) -> Mapping[str, Quantity]:
         """Quantities normalised with the indentation |h₀| or with the Hertz indentation of the load.

@@ -12,6 +12,7 @@ from scipy.interpolate import RectBivariateSpline
 
 from softlube.accuracy import COARSE_BETA, estimate_errors, floors_for, looser, spike_bound, unresolved, withheld
 from softlube.continuation import march, thicken
+from softlube.crest import in_other_unit, spike_quantities
 from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
 from softlube.fluids import Fluid, Newtonian
@@ -33,7 +34,7 @@ from softlube.newton import Iteration, newton
 from softlube.problem import Problem
 from softlube.quantities import measure
 from softlube.solution import Level, Quantity, Solution
-from softlube.spike import doubts, tracked
+from softlube.spike import doubts
 from softlube.substrates import HalfSpace, Substrate
 from softlube.system import ContactSystem
 
@@ -53,24 +54,6 @@ DEEP = 1e3
 """β_load beyond which a load is first taken for an indentation."""
 LARGEST_BETA = 1e9
 SMALLEST_BETA = 1e-6
-
-
-def fields_of(system: ContactSystem, x: Array) -> Fields:
-    """Fields in the problem's own unit of height."""
-    grid = system.grid
-    fields = Fields(
-        chart=grid,
-        r=grid.r,
-        theta=grid.theta,
-        pressure=system.pressure(x).reshape(grid.shape),
-        film=system.film(x).reshape(grid.shape),
-        beta=system.beta,
-        cavitation=system.problem.cavitation,
-        load=system.load(x),
-        height=system.height(x),
-        fluid=system.fluid,
-    )
-    return fields.in_units(1 / system.scale)
 
 
 def prolong(x: Array, coarse: PolarGrid, fine: PolarGrid, problem: Problem) -> Array:
@@ -101,7 +84,7 @@ def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solve
     began = time.perf_counter()
     history: list[Iteration] = []
     x = _unknowns(problem, grid, start, history)
-    fields = fields_of(ContactSystem(problem, grid, unit_for(problem)), x)
+    fields = ContactSystem(problem, grid, unit_for(problem)).fields(x)
     level = Level(grid.n_r, grid.n_theta, measure(fields), tuple(history), time.perf_counter() - began, fields)
     return Solved(level, fields, x, grid)
 
@@ -285,7 +268,7 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
         known = {name: error for name, error in _errors(problem, solved).items() if name not in slow}
         worst = unresolved(rung.level.values, known, accuracy, looser(problem))
         if not worst:
-            return solution_of(problem, solved, accuracy)
+            return solution_of(problem, solved, accuracy, progress)
     reached = ", ".join(f"{name} {value:.1e}" for name, value in sorted(worst.items(), key=lambda item: -item[1])[:3])
     raise NotConvergedError(
         f"the finest grid does not reach the accuracy {accuracy:g} at {problem.parameter:.4g}: {reached} (relative). "
@@ -314,15 +297,21 @@ def _errors(problem: Problem, solved: Sequence[Solved]) -> dict[str, float]:
     return estimate_errors(values, finest.grid.n_theta, floors_for(problem), exact, spike_bound(finest.fields))
 
 
-def normalised_otherwise(problem: Problem, levels: Sequence[Level]) -> dict[str, Quantity]:
-    """Quantities normalised with |h₀| where the load is prescribed, with the load where |h₀| is; none for h₀ ≥ 0."""
+def normalised_otherwise(problem: Problem, levels: Sequence[Level], own: Mapping[str, Quantity]) -> dict[str, Quantity]:
+    """Quantities normalised with |h₀| where the load is prescribed, with the load where |h₀| is; none for h₀ ≥ 0.
+
+    What the grids do not say of a spike is taken from the problem's `own`.
+    """
     fields = [level.fields for level in levels if level.fields is not None]
     if any(each.height >= 0 for each in fields):
         return {}
-    histories = [measure(each.in_units(_other_unit(problem, each))) for each in fields]
+    units = [_other_unit(problem, each) for each in fields]
+    histories = [measure(each.in_units(unit)) for each, unit in zip(fields, units, strict=True)]
     exact = "height" if problem.load_controlled else "load"
     errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact, spike_bound(fields[-1]))
-    return _quantities(histories[-1], errors, withheld(fields[-1], histories[-1], errors))
+    found = _quantities(histories[-1], errors, withheld(fields[-1], histories[-1], errors))
+    known = in_other_unit(own, levels[-1].values, fields[-1].in_units(units[-1]), histories[-1], units[-1])
+    return found | {name: each for name, each in known.items() if name not in found or np.isnan(found[name])}
 
 
 def _quantities(values: Mapping[str, float], errors: Mapping[str, float], missing: Sequence[str]) -> dict[str, Quantity]:
@@ -335,21 +324,24 @@ def rungs(solved: Sequence[Solved]) -> tuple[Level, ...]:
     return tuple(rung.level for rung in solved)
 
 
-def solution_of(problem: Problem, solved: Sequence[Solved], accuracy: float) -> Solution:
+def solution_of(
+    problem: Problem, solved: Sequence[Solved], accuracy: float, progress: Callable[[str], None] | None = None
+) -> Solution:
     """What the grids solved so far, at least two, say of a problem."""
     finest = solved[-1]
     fields = finest.fields
     errors = _errors(problem, solved)
-    missing = withheld(fields, finest.level.values, errors)
-    spike = tracked([rung.fields for rung in solved]) if finest.grid.crest else {}
+    quantities = _quantities(finest.level.values, errors, withheld(fields, finest.level.values, errors))
+    if finest.grid.crest:
+        quantities |= spike_quantities(problem, [rung.fields for rung in solved], quantities, progress)
     # Eq. (29): the load N̄ has the Hertz indentation δ = |h₀| (N̄/(4/3π))^(2/3), and β_load goes with δ².
     return Solution(
         problem=problem,
         fields=fields,
-        quantities=_quantities(finest.level.values, errors, missing) | spike,
+        quantities=quantities,
         beta=fields.beta * fields.height**2,
         beta_load=fields.beta * max(fields.load / HERTZ_LOAD, 0.0) ** (4 / 3),
         accuracy=accuracy,
         levels=rungs(solved),
-        warnings=doubts(fields, missing),
+        warnings=doubts(fields, quantities),
     )

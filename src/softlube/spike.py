@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,15 +25,19 @@ BETWEEN_NODES = 0.25
 """How far a spike's height hangs on where the nodes are, over the fall to the next of them (measured)."""
 LARGEST_SPIKE_ERROR = 0.1
 """Relative error up to which what goes by a spike is given."""
+WELL_KNOWN = 0.02
+"""Relative error of its height up to which a spike needs no mesh of its own."""
 DESCRIPTION = {"spike_pressure": "pressure spike on the outlet axis", "spike_radius": "radius of the spike"}
+SPIKE_QUANTITIES = ("pressure_max", *DESCRIPTION)
+"""What a close-up of the spike gives, see `softlube.closeup`."""
 OPEN_SPIKE = (
     "the pressure has a spike at r = {:.2f} (outlet axis) that is narrower than the finest cells and grows from grid to grid, "
     "so there is no maximum pressure, and nothing that goes by it; the films do not depend on it (docs/viscosity.md)"
 )
 """What a solution with such a spike warns of; the radius over the unit of length."""
 COARSE_SPIKE = (
-    "the pressure has a spike at r = {:.2f} (outlet axis) that the finest cells hardly resolve; not given, because the error "
-    "would be above 10 %: {}; the films do not depend on it (docs/viscosity.md)"
+    "the pressure has a spike at r = {:.2f} (outlet axis) that the contact's finest cells hardly resolve; not given, because "
+    "the error would be above 10 %: {}; the films do not depend on it (docs/viscosity.md)"
 )
 """The same where the spike has a height, and what it decides is not known well enough."""
 
@@ -79,24 +83,29 @@ def is_sharp(fields: Fields) -> bool:
     return steepest_fall(fields) > SHARP
 
 
+def is_needle(fields: Fields) -> bool:
+    """Whether the crest stands on one node, so that what goes by it is not known from these nodes at all."""
+    return steepest_fall(fields) > SHARPEST
+
+
 def is_compressible(fluid: Fluid) -> bool:
     """Whether the density rises with the pressure."""
     return bool(np.any(fluid.density(np.ones(1))[1]))
 
 
 def is_open(fields: Fields) -> bool:
-    """Whether a spike is a needle on one node and has no height that grids could agree on.
+    """Whether a spike is a needle and has no height that grids could agree on, however fine.
 
     A liquid that thickens without bound is carried along like a rigid punch, whose edge has an integrable singularity.  What is
     denser under pressure is softer than that, and the pressure falls from a height that is finite.
     """
-    return not is_compressible(fields.fluid) and steepest_fall(fields) > SHARPEST
+    return is_needle(fields) and not is_compressible(fields.fluid)
 
 
 def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
     """Pressure and radius of the spike on the outlet axis over ever finer grids; nothing where there is none to agree on."""
     before, last = (outlet_spike(fields) for fields in grids[-2:])
-    if before is None or last is None or is_open(grids[-1]):
+    if before is None or last is None or is_needle(grids[-1]):
         return {}
     values, doubt = last
     errors = np.maximum(LEFT_OF_FIRST_ORDER * np.abs(values - before[0]), doubt)
@@ -105,8 +114,19 @@ def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
     return spike if errors[1] <= LARGEST_SPIKE_ERROR * values[1] else {}
 
 
-def doubts(fields: Fields, missing: Sequence[str]) -> tuple[str, ...]:
+def wants_close_up(fields: Fields, quantities: Mapping[str, Quantity]) -> bool:
+    """Whether there is a spike on the outlet axis that has a height, and the contact's own grids do not tell it well enough."""
+    if is_open(fields) or not is_sharp(fields) or outlet_spike(fields) is None:
+        return False
+    height = quantities.get("spike_pressure")
+    return height is None or height.error > WELL_KNOWN * height
+
+
+def doubts(fields: Fields, quantities: Mapping[str, Quantity]) -> tuple[str, ...]:
     """What is said of quantities that are not given."""
     if is_open(fields):
         return (OPEN_SPIKE.format(outlet_crest(fields)),)
+    missing = [name for name, value in quantities.items() if np.isnan(value)]
+    if is_needle(fields) and "spike_pressure" not in quantities:
+        missing.append("spike_pressure")
     return (COARSE_SPIKE.format(outlet_crest(fields), ", ".join(missing)),) if missing else ()

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from softlube.dry import dry_contact, smeared_contact
 from softlube.elasticity import ElasticOperator, elastic_operator, rim_slice
+from softlube.fields import Fields
 from softlube.grid import PolarGrid
 from softlube.limits import HERTZ_LOAD, far_field_profile, kapitza_pressure
 from softlube.preconditioner import Border, FilmEquation, local_stiffness
@@ -103,6 +104,23 @@ class ContactSystem:
         """Load ∫p dA over the whole plane."""
         n = self.grid.n_unknown
         return float(self.substrate.load_weights[:n] @ x[:n] + self.load_offset[0] + self.height(x) * self.load_offset[1])
+
+    def fields(self, x: Array) -> Fields:
+        """Pressure and film in the problem's own unit of height."""
+        grid = self.grid
+        fields = Fields(
+            chart=grid,
+            r=grid.r,
+            theta=grid.theta,
+            pressure=self.pressure(x).reshape(grid.shape),
+            film=self.film(x).reshape(grid.shape),
+            beta=self.beta,
+            cavitation=self.problem.cavitation,
+            load=self.load(x),
+            height=self.height(x),
+            fluid=self.fluid,
+        )
+        return fields.in_units(1 / self.scale)
 
     def linearise(self, x: Array) -> LinearisedContact:
         """Residual and Jacobian at x."""

@@ -9,7 +9,7 @@ import softlube
 from softlube.limits import HERTZ_LOAD, HERTZ_PRESSURE, half_sommerfeld_load, hertz_pressure, kapitza_pressure
 from softlube.meshing import grid_for
 from softlube.problem import Problem
-from softlube.solver import fields_of, solve_level
+from softlube.solver import solve_level
 from softlube.system import ContactSystem
 
 
@@ -137,7 +137,7 @@ def test_fields_are_rescaled_consistently():
     grid = grid_for(problem, 18)
     level = solve_level(problem, grid, None)
     system = ContactSystem(problem, grid)
-    fields = fields_of(system, level.x)
+    fields = system.fields(level.x)
     fields = fields.in_units(-fields.height)
     assert fields.height == -1
     again = ContactSystem(Problem(beta=fields.beta), grid.scaled((-system.height(level.x)) ** -0.5))

@@ -35,7 +35,6 @@ from softlube.newton import newton
 from softlube.problem import Cavitation, Problem
 from softlube.quantities import measure
 from softlube.reynolds import Sparse
-from softlube.solver import fields_of
 from softlube.system import ContactSystem, LinearisedContact
 
 Array = NDArray[np.floating]
@@ -308,7 +307,7 @@ def start_sliding(
     limit = film_limit / unit
 
     def told(own: ContactSystem, x: Array) -> Fields:
-        return fields_of(own, x).in_units(1 / deepest)
+        return own.fields(x).in_units(1 / deepest)
 
     times, states, films, fields = [0.0], [x], [own.film(x)], [told(own, x)]
     least = thinnest(fields[0], film_limit) / unit if limit else np.inf
