@@ -8,7 +8,7 @@ from softlube.fields import Fields
 from softlube.meshing import DEEP_BETA, like_hertz, over_a_gap, steepness
 from softlube.problem import Problem
 from softlube.quantities import BOUNDARY_LAYER_LEVEL
-from softlube.spike import LARGEST_SPIKE_ERROR, LEFT_OF_FIRST_ORDER, is_needle, is_sharp
+from softlube.spike import LARGEST_SPIKE_ERROR, LEFT_OF_FIRST_ORDER, fall_from_top, is_needle, is_sharp, ridge_error
 
 LOOSER = {"film_min": 3.0, "shear_rate_max": 3.0}
 LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
@@ -99,7 +99,7 @@ def estimate_errors(
     n_theta: int,
     floors: Mapping[str, float] = FREE_BOUNDARY,
     exact: str = "",
-    slow: Sequence[str] = (),
+    slow: Mapping[str, float] | None = None,
 ) -> dict[str, float]:
     """Error of the finest grid's quantities, from how they changed over the grids.
 
@@ -117,8 +117,8 @@ def estimate_errors(
         See `floors_for`.
     exact : str
         A quantity that is prescribed.
-    slow : sequence of str
-        Quantities that converge like the spacing only.
+    slow : mapping of str to float, optional
+        Quantities that converge like the spacing only, with the least relative error of each; see `spike_bound`.
 
     Returns
     -------
@@ -130,8 +130,8 @@ def estimate_errors(
     for name, value in finest.items():
         last = abs(value - before[name])
         changes = max(LEFT * last, LEFT_BEFORE * abs(before[name] - levels[-3][name])) if len(levels) > 2 else last
-        if name in slow:
-            changes *= LEFT_OF_FIRST_ORDER / LEFT
+        if slow and name in slow:
+            changes = max(changes * LEFT_OF_FIRST_ORDER / LEFT, slow[name] * yardstick(name, finest))
         estimates[name] = 0.0 if name == exact else max(changes, yardstick(name, finest) * floors[name] / n_theta**2)
     return estimates
 
@@ -154,9 +154,14 @@ def unresolved(
     return result
 
 
-def spike_bound(fields: Fields) -> tuple[str, ...]:
-    """Quantities that do not decide when the grid is fine enough, because a spike that it hardly resolves decides them."""
-    return SPIKE_BOUND if is_sharp(fields) else ()
+def spike_bound(fields: Fields) -> dict[str, float]:
+    """Quantities that do not decide when the grid is fine enough, because a spike that it hardly resolves decides them.
+
+    With the least relative error of each.
+    """
+    if not is_sharp(fields):
+        return {}
+    return dict.fromkeys(SPIKE_BOUND, 0.0) | {"pressure_max": ridge_error(fall_from_top(fields))}
 
 
 def withheld(fields: Fields, values: Mapping[str, float], errors: Mapping[str, float]) -> tuple[str, ...]:

@@ -39,7 +39,7 @@ NEAR_AXIS = np.radians(150)
 """Angle about the contact's centre beyond which the ridge is taken for a circle."""
 NEAR_RIDGE = 0.2
 """Where the fall is looked for, relative to the ridge's radius."""
-STEPS = 60
+STEPS = 150
 """Newton's at most."""
 
 

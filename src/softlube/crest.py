@@ -15,7 +15,7 @@ from softlube.fields import Fields
 from softlube.problem import Problem
 from softlube.quantities import CONTACT, DOMAIN, boundary_layer, friction_within, poiseuille_within
 from softlube.solution import Quantity
-from softlube.spike import LARGEST_SPIKE_ERROR, SHARPEST, SPIKE_QUANTITIES, tracked, wants_close_up
+from softlube.spike import LARGEST_SPIKE_ERROR, SHARPEST, SPIKE_QUANTITIES, ridge_error, tracked, wants_close_up
 
 Array = NDArray[np.floating]
 
@@ -31,8 +31,6 @@ LEAST_ERROR = {
     "boundary_layer": 1e-3,
 }
 """Relative errors that such meshes leave (measured against 45 angles and cells half as wide)."""
-BESIDE_AXIS = 0.06
-"""The same of a pressure that is largest beside the axis, where the ridge may have left the circle."""
 OF_WHAT_GRIDS_MISS = 0.1
 """Error of a friction over what the contact's own grids miss of it."""
 SAME_FILM = 1e-2
@@ -48,6 +46,8 @@ class Crest(NamedTuple):
         How high, and where.
     residual : float
         How far the nodes are off the profile that it is taken from.
+    fall : float
+        By how much ln η falls to the next node.
     column : ndarray
         Pressures at this angle, the profile's close to the fall.
     """
@@ -55,6 +55,7 @@ class Crest(NamedTuple):
     pressure: float
     radius: float
     residual: float
+    fall: float
     column: Array
 
 
@@ -78,7 +79,7 @@ def crest(fields: Fields, angle: int, fall: int) -> Crest:
         top = fall
         while top > 0 and pressure[top - 1] > pressure[top]:
             top -= 1
-        return Crest(float(pressure[top]), float(r[top]), 0.0, pressure)
+        return Crest(float(pressure[top]), float(r[top]), 0.0, float(ahead - behind), pressure)
     i = np.arange(fall - AHEAD[0], fall + 1)
     smooth = (pressure[i - 1] + 2 * pressure[i] + pressure[i + 1]) / 4
     middle = float(r[fall] + r[fall + 1]) / 2
@@ -88,7 +89,8 @@ def crest(fields: Fields, angle: int, fall: int) -> Crest:
     coefficients = np.linalg.lstsq(profile[trusted], smooth[trusted], rcond=None)[0]
     column = pressure.copy()
     column[i] = profile @ coefficients
-    return Crest(float(coefficients[0]), middle, float(np.max(np.abs(column[i] - smooth)[trusted])), column)
+    residual = float(np.max(np.abs(column[i] - smooth)[trusted]))
+    return Crest(float(coefficients[0]), middle, residual, float(ahead - behind), column)
 
 
 def readings(seen: CloseUp, poiseuille: Mapping[str, float]) -> dict[str, Reading]:
@@ -106,7 +108,7 @@ def readings(seen: CloseUp, poiseuille: Mapping[str, float]) -> dict[str, Readin
     crests = [crest(fields, int(k), int(seen.fall[k])) for k in outlet]
     axis, highest = crests[-1], max(crests, key=lambda each: each.pressure)
     place = seen.shift + axis.radius
-    least = LEAST_ERROR["spike_pressure"] if highest is axis else BESIDE_AXIS
+    least = max(LEAST_ERROR["spike_pressure"], 0.0 if highest is axis else ridge_error(highest.fall))
     result = {
         "spike_pressure": Reading(axis.pressure, max(axis.residual, LEAST_ERROR["spike_pressure"] * axis.pressure)),
         "spike_radius": Reading(place, max(seen.cell, LEAST_ERROR["spike_radius"] * place)),

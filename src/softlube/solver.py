@@ -48,8 +48,11 @@ SPIKE_ANGLES = 39
 """What a spike is resolved with, or by no grid of the ladder."""
 COARSE_TOLERANCE, FINE_TOLERANCE = 1e-4, 1e-6
 """Of Newton's method: on grids of so many angles, which mostly start the next ones, and on those that give numbers."""
+STEPS, STEEP_STEPS = 40, 90
+"""Newton's at most on one grid, without and with a spike that must first move to where its nodes are; a march takes more."""
 FINEST_ACCURACY = 1.4e-4
 """What the free boundary allows on the finest grid of the ladder (the film on the outlet axis is the first to fail)."""
+LARGEST_ACCURACY = 0.1
 DEEP = 1e3
 """β_load beyond which a load is first taken for an indentation."""
 LARGEST_BETA = 1e9
@@ -110,7 +113,12 @@ def _unknowns(problem: Problem, grid: PolarGrid, start: Array | None, history: l
             held = newton(ContactSystem(pressed, grid, system.scale / depth), start[:-1])
             history += held.history
             start = np.append(held.x, -depth / system.scale)
-    result = newton(system, start, tolerance=COARSE_TOLERANCE if grid.n_theta <= FIRST_ANGLES else FINE_TOLERANCE)
+    result = newton(
+        system,
+        start,
+        tolerance=COARSE_TOLERANCE if grid.n_theta <= FIRST_ANGLES else FINE_TOLERANCE,
+        max_iterations=STEEP_STEPS if steep else STEPS,
+    )
     history += result.history
     if result.converged:
         return result.x
@@ -251,8 +259,9 @@ def solve_problem(
 
 
 def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], None] | None) -> Solution:
-    if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= 0.1):
-        raise InputError(f"accuracy: expected a relative error between {FINEST_ACCURACY:g} and 0.1, got {accuracy!r}")
+    if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= LARGEST_ACCURACY):
+        bounds = f"{FINEST_ACCURACY:g} and {LARGEST_ACCURACY:g}"
+        raise InputError(f"accuracy: expected a relative error between {bounds}, got {accuracy!r}")
     _check_range(problem)
     solved: list[Solved] = []
     worst: dict[str, float] = {}
@@ -270,9 +279,10 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
         if not worst:
             return solution_of(problem, solved, accuracy, progress)
     reached = ", ".join(f"{name} {value:.1e}" for name, value in sorted(worst.items(), key=lambda item: -item[1])[:3])
+    enough = 2 * max(value / looser(problem).get(name, 1) for name, value in worst.items())
     raise NotConvergedError(
         f"the finest grid does not reach the accuracy {accuracy:g} at {problem.parameter:.4g}: {reached} (relative). "
-        f"Try accuracy={2 * max(value / looser(problem).get(name, 1) for name, value in worst.items()):.0e}."
+        + (f"Try accuracy={enough:.0e}." if enough <= LARGEST_ACCURACY else "No accuracy that can be asked for would do.")
     )
 
 

@@ -23,6 +23,8 @@ LEFT_OF_FIRST_ORDER = 2.0
 """Error over the last change of what converges like the spacing, on grids 1.5 times finer each."""
 BETWEEN_NODES = 0.25
 """How far a spike's height hangs on where the nodes are, over the fall to the next of them (measured)."""
+RIDGE_ERROR = 0.06
+"""Relative error of the largest pressure beside the axis, where the ridge runs askew to the mesh and is a needle (measured)."""
 LARGEST_SPIKE_ERROR = 0.1
 """Relative error up to which what goes by a spike is given."""
 WELL_KNOWN = 0.02
@@ -76,6 +78,18 @@ def steepest_fall(fields: Fields) -> float:
     """Largest change of ln η from a node to the next along r, in the outlet half: 0 for constant viscosity."""
     outlet = fields.pressure[:, fields.theta > np.pi / 2]
     return float(np.max(np.abs(np.diff(np.log(fields.fluid.viscosity(outlet)), axis=0))))
+
+
+def fall_from_top(fields: Fields) -> float:
+    """Largest change of ln η from a node to the next along r, within two nodes of the largest pressure."""
+    i, j = np.unravel_index(int(np.argmax(fields.pressure)), fields.pressure.shape)
+    near = fields.pressure[max(i - 2, 0) : i + 3, j]
+    return float(np.max(np.abs(np.diff(np.log(fields.fluid.viscosity(near))))))
+
+
+def ridge_error(fall: float) -> float:
+    """Relative error of the height of a ridge that runs askew to the mesh, from the change of ln η across a cell of it."""
+    return RIDGE_ERROR * min(fall / SHARPEST, 1.0)
 
 
 def is_sharp(fields: Fields) -> bool:
