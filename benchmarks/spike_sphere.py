@@ -2,8 +2,10 @@ r"""How well is the spike of a hard contact known?  The solver's close-ups of it
 
     OPENBLAS_NUM_THREADS=1 python benchmarks/spike_sphere.py
     OPENBLAS_NUM_THREADS=1 python benchmarks/spike_sphere.py --moes 200 --law roelands --angles 26 39 58
+    OPENBLAS_NUM_THREADS=1 python benchmarks/spike_sphere.py --material 6 --density constant
 
-A liquid of 20/GPa and 0.05 Pa s with Dowson & Higginson's density.  Pressures are over the Hertz maximum p_H, frictions in
+A liquid of 20/GPa and 0.05 Pa s with Dowson & Higginson's density, or a constant one: then the spike grows with every mesh
+(above L = 5.4 at M = 20), and there is no height to find.  Pressures are over the Hertz maximum p_H, frictions in
 (2π/3) G δ², films in Moes' H.
 """
 
@@ -15,7 +17,7 @@ import softlube
 from softlube.closeup import ANGLES, WIDTHS, close_ups
 from softlube.crest import DISCS, readings
 from softlube.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film
-from softlube.fluids import Barus, DowsonHigginson, Roelands
+from softlube.fluids import Barus, DowsonHigginson, Fluid, Roelands
 from softlube.limits import HERTZ_PRESSURE
 from softlube.quantities import poiseuille_within
 
@@ -28,16 +30,20 @@ def main() -> None:
     parser.add_argument("--moes", type=float, default=20.0, help="M")
     parser.add_argument("--material", type=float, default=10.0, help="L")
     parser.add_argument("--law", choices=("barus", "roelands"), default="barus")
+    parser.add_argument("--density", choices=("dowson-higginson", "constant"), default="dowson-higginson")
     parser.add_argument("--angles", type=int, nargs="+", default=[ANGLES])
     parser.add_argument("--widths", type=float, nargs="+", default=[*WIDTHS, 3e-5], help="of the refined zone, over a")
     arguments = parser.parse_args()
 
     alpha = float(alpha_of_moes(arguments.moes, arguments.material))
     unit = alpha / COEFFICIENT
-    liquid = DowsonHigginson.of(Barus(alpha) if arguments.law == "barus" else Roelands.of(COEFFICIENT, VISCOSITY, unit), unit)
+    liquid: Fluid = Barus(alpha) if arguments.law == "barus" else Roelands.of(COEFFICIENT, VISCOSITY, unit)
+    if arguments.density == "dowson-higginson":
+        liquid = DowsonHigginson.of(liquid, unit)
     solution = softlube.solve(beta_load=BETA_LOAD_OF_M * arguments.moes ** (4 / 3), fluid=liquid)
     film = float(moes_film(1.0, solution.beta_load))
-    for name in ("spike_pressure", "spike_radius", "pressure_max", "friction_contact", "film_min"):
+    shown = ("spike_pressure", "spike_radius", "pressure_max", "friction_contact", "film_min")
+    for name in (name for name in shown if name in solution.quantities):
         scale = HERTZ_PRESSURE if "pressure" in name else 1 / film if "film" in name else 1.0
         quantity = solution.quantities[name]
         print(f"{name:18s} {quantity / scale:12.5f} ± {quantity.error / scale:.1g}")

@@ -80,3 +80,18 @@ def test_close_ups_end_where_newton_fails(soft):
     problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), fluid=DowsonHigginson.of(Barus(alpha), alpha / 20e-9))
     hopeless = replace(soft.fields, pressure=soft.fields.pressure * 5, fluid=problem.fluid)
     assert list(close_ups(problem, hopeless, (1e-2,), angles=12)) == []
+
+
+@pytest.mark.slow
+def test_without_compressibility_the_spike_grows_with_every_mesh(monkeypatch):
+    """M = 20: at L = 5.4 three meshes agree to 10⁻³; at L = 6 each of them has a spike a third higher than the last."""
+    monkeypatch.setattr(softlube.crest, "resolve_spike", lambda *_: {})
+    heights = {}
+    for material in (5.4, 6.0):
+        problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), fluid=Barus(float(alpha_of_moes(20, material))))
+        solution = softlube.solve(beta_load=problem.beta_load, fluid=problem.fluid, accuracy=1e-2)
+        seen = close_ups(problem, solution.fields, (1e-2, 2e-3, 5e-4, 1.25e-4), angles=39)
+        heights[material] = [softlube.crest.crest(each.fields, 39, int(each.fall[-1])).pressure for each in seen][1:]
+    assert heights[5.4] == pytest.approx([1.6297 * HERTZ_PRESSURE] * 3, rel=2e-3)
+    coarse, middle, fine = heights[6.0]
+    assert fine > 1.33 * middle > 1.33**2 * coarse
