@@ -98,6 +98,14 @@ def test_what_close_ups_say_of_a_needle(needle):
     assert solution.levels[-1].values["friction_contact"] < 0.85 * solution.friction_contact
 
 
+def test_frictions_over_other_discs_hold_the_spike_too(needle):
+    solution, _ = needle
+    assert solution.friction_within(1.0) == pytest.approx(float(solution.friction_contact), rel=1e-6)
+    assert split(solution, 2.0).sphere == pytest.approx(float(solution.friction_domain), rel=1e-6)
+    inside = solution.friction_within(0.7)  # the spike stands at 0.73
+    assert inside == softlube.quantities.friction_within(solution.fields, 0.7)
+
+
 def test_friction_of_a_needle_in_the_other_normalisation(needle):
     """The spike adds the same force in either, and the discs differ by little else."""
     solution, _ = needle

@@ -80,7 +80,7 @@ def crest(fields: Fields, angle: int, fall: int) -> Crest:
         while top > 0 and pressure[top - 1] > pressure[top]:
             top -= 1
         return Crest(float(pressure[top]), float(r[top]), 0.0, float(ahead - behind), pressure)
-    i = np.arange(fall - AHEAD[0], fall + 1)
+    i = np.arange(max(fall - AHEAD[0], 1), fall + 1)
     smooth = (pressure[i - 1] + 2 * pressure[i] + pressure[i + 1]) / 4
     middle = float(r[fall] + r[fall + 1]) / 2
     x = middle - r[i]

@@ -120,7 +120,7 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
     edge = 12 * cutoff * float(np.sum(pu * cosines(s) * chart.dtheta_ds(s) * weight)) * np.pi / 2
     return FrictionSplit(
         cutoff=float(cutoff),
-        couette=integrate(fields, couette, cutoff),
+        couette=integrate(fields, couette, cutoff) + solution.friction_missed(cutoff),
         poiseuille=integrate(fields, poiseuille, cutoff),
         sphere_pressure=integrate(fields, on_sphere, cutoff),
         substrate_pressure=integrate(fields, on_substrate, cutoff),
