@@ -23,8 +23,9 @@ from softlube.fluids import Barus, DowsonHigginson, Roelands
 from softlube.limits import HERTZ_PRESSURE
 from softlube.meshing import crest_of, grid_for, thickening
 from softlube.problem import Problem
+from softlube.solution import Quantity
 from softlube.solver import solve_level
-from softlube.spike import is_open, outlet_crest
+from softlube.spike import doubts, is_open, outlet_crest
 from softlube.system import ContactSystem
 
 HARD = [
@@ -240,6 +241,12 @@ def test_the_shear_rate_does_not_know_the_spike(spiked, steep):
         before, last = (level.values["shear_rate_max"] for level in solution.levels[-2:])
         assert last == pytest.approx(before, rel=4e-3)
         assert solution.shear_rate_max.error < 5e-3 * solution.shear_rate_max
+
+
+def test_no_talk_of_spikes_where_there_is_none():
+    """A number may be missing for other reasons: that is no spike's doing."""
+    solution = softlube.solve(beta_load=100.0, accuracy=1e-2)
+    assert doubts(solution.fields, {"boundary_layer": Quantity(np.nan)}) == ()
 
 
 def test_what_is_too_thick_is_refused_at_once():

@@ -319,9 +319,12 @@ def normalised_otherwise(problem: Problem, levels: Sequence[Level], own: Mapping
     histories = [measure(each.in_units(unit)) for each, unit in zip(fields, units, strict=True)]
     exact = "height" if problem.load_controlled else "load"
     errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact, spike_bound(fields[-1]))
-    found = _quantities(histories[-1], errors, withheld(fields[-1], histories[-1], errors))
+    missing = withheld(fields[-1], histories[-1], errors)
+    found = _quantities(histories[-1], errors, missing)
+    if not missing and "spike_radius" not in own:
+        return found
     known = in_other_unit(own, levels[-1].values, fields[-1].in_units(units[-1]), histories[-1], units[-1])
-    return found | {name: each for name, each in known.items() if name not in found or np.isnan(found[name])}
+    return found | {name: each for name, each in known.items() if name in missing or name not in found}
 
 
 def _quantities(values: Mapping[str, float], errors: Mapping[str, float], missing: Sequence[str]) -> dict[str, Quantity]:

@@ -140,6 +140,8 @@ def doubts(fields: Fields, quantities: Mapping[str, Quantity]) -> tuple[str, ...
     """What is said of quantities that are not given."""
     if is_open(fields):
         return (OPEN_SPIKE.format(outlet_crest(fields)),)
+    if not is_sharp(fields):
+        return ()  # what is nan here has other reasons
     missing = [name for name, value in quantities.items() if np.isnan(value)]
     if is_needle(fields) and "spike_pressure" not in quantities:
         missing.append("spike_pressure")
