@@ -31,6 +31,9 @@ def test_a_finer_accuracy_takes_finer_rings(result):
     finer = follow(result.run.motion, accuracy=1e-4)
     assert finer.rings[-1] > result.rings[-1]
     assert np.max(finer.errors["film_min"] / finer.histories["film_min"]) <= 1e-4
+    # The minimum leaves the axis between two steps, and not when one of them ends.
+    assert finer.dimple_time == pytest.approx(result.dimple_time, rel=0.01)
+    assert np.min(np.abs(result.time / result.dimple_time - 1)) > 1e-6
 
 
 def test_drainage_of_the_dimple(result):

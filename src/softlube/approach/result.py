@@ -32,6 +32,8 @@ LEAST_ERROR = 10.0
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-5, 0.1
 RIGID = 100.0
 """Share of the film by which the substrate yields, over the tolerance, below which the film says too little of the pressure."""
+DIMPLE_RADIUS = 0.05
+"""Radius of the thinnest ring, over the contact's, from which on there is a dimple."""
 JUDGED = ("film_center", "film_min")
 """Histories whose relative error decides when the grid is fine enough."""
 DESCRIPTION = {
@@ -124,11 +126,17 @@ class Squeeze:
     @property
     def dimple_time(self) -> float:
         """When the minimum of the film leaves the axis for good; nan if it never does."""
-        away = self.histories["film_min_radius"] > 0.05 * self.run.film.grid.edge
-        if not away[-1]:
+        radius = self.histories["film_min_radius"] / self.run.film.grid.edge
+        if radius[-1] <= DIMPLE_RADIUS:
             return float("nan")
-        on_axis = np.flatnonzero(~away)
-        return float(self.time[on_axis[-1] + 1] if on_axis.size else self.time[0])
+        on_axis = np.flatnonzero(radius <= DIMPLE_RADIUS)
+        if not on_axis.size:
+            return float(self.time[0])
+        # The radius grows like the root of the time since then: a straight line through its squares at the first two steps.
+        first = min(on_axis[-1] + 1, radius.size - 2)
+        square, time = radius[first : first + 2] ** 2, self.time[first : first + 2]
+        born = time[0] - square[0] * (time[1] - time[0]) / max(square[1] - square[0], 1e-300)
+        return float(np.clip(born, self.time[max(on_axis[-1] - 1, 0)], self.time[on_axis[-1] + 1]))
 
     @property
     def dataset(self) -> Dataset:
