@@ -1,9 +1,10 @@
-"""Speed: of a solve in a warm process, of the installed command from cold, of a sweep; cost against unknowns.
+"""Speed: of a solve in a warm process, on layers, of the installed command from cold, of a sweep; cost against unknowns.
 
     OPENBLAS_NUM_THREADS=1 python benchmarks/bench_solve.py
 
-Medians of several runs; "first" is the first solve of a process at that β, which builds the elastic operators.  The sweep
-takes 60 values of β_load from 10⁻⁴ to 10⁸ in two processes.
+Medians of several runs; "first" is the first solve of a process at that β, which builds the elastic operators.  On layers (of
+a thickness t over √(R|h₀|)) times are given over those of the half-space, one solve of each in turn: "anew" with everything
+built for every solve, the table of the kernel too.  The sweep takes 60 values of β_load from 10⁻⁴ to 10⁸ in two processes.
 """
 
 from __future__ import annotations
@@ -92,6 +93,32 @@ def cost(beta: float) -> tuple[list[tuple[int, float, float]], float, float]:
     return rows, float(np.polyfit(unknowns, building, 1)[0]), float(np.polyfit(unknowns, solving, 1)[0])
 
 
+THICKNESSES = (3.0, 1.0, 0.3)
+
+
+def layers(beta: float, repeats: int) -> tuple[dict[float, float], dict[float, float], tuple[float, float]]:
+    """Median processor time on layers over the half-space's, warm and anew, and the half-space's own in seconds."""
+    import softlube
+    from softlube import dry, substrates
+    from softlube.system import forget_operators
+
+    cases = {np.inf: {}} | {t: {"substrate": substrates.Layer(t)} for t in THICKNESSES}
+    caches = (dry.dry_contact, dry.dry_contact_at, substrates._remainder_table, substrates._spectrum)
+    times: dict[bool, dict[float, list[float]]] = {anew: {t: [] for t in cases} for anew in (False, True)}
+    for _ in range(repeats):
+        for thickness, arguments in cases.items():
+            forget_operators()
+            for cache in caches:
+                cache.cache_clear()
+            for anew in (True, False):
+                began = time.process_time()
+                softlube.solve(beta=beta, **arguments)
+                times[anew][thickness].append(time.process_time() - began)
+    warm, anew = ({t: statistics.median(each) for t, each in times[key].items()} for key in (False, True))
+    over = [{t: each[t] / each[np.inf] for t in THICKNESSES} for each in (warm, anew)]
+    return over[0], over[1], (warm[np.inf], anew[np.inf])
+
+
 def solve_by_load(beta_load: float) -> str | None:
     """The message of a refusal, if it is one."""
     import softlube
@@ -124,6 +151,11 @@ def main() -> None:
     for beta in (10.0, 100.0, 1e3, 1e4) if quick else (0.1, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8):
         first, again, unknowns = warm(beta, repeats)
         print(f"{beta:8.3g} {first:10.3f} {again:9.3f} {unknowns:9d}")
+    print(f"{'beta':>8s} {'half-space [s]':>15s}  times that on layers of t = " + ", ".join(map(str, THICKNESSES)))
+    for beta in (1e2, 1e3):
+        again, anew, own = layers(beta, 3 if quick else 11)
+        for name, ratios, seconds in (("warm", again, own[0]), ("anew", anew, own[1])):
+            print(f"{beta:8.3g} {name:>7s} {seconds:7.3f}  " + "  ".join(f"{ratio:.2f}" for ratio in ratios.values()))
     for beta in (1e3,) if quick else (1e3, 1e6):
         rows, building, solving = cost(beta)
         print(f"beta = {beta:g}: {'unknowns':>9s} {'operators [s]':>14s} {'Newton [s]':>11s}")

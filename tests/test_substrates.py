@@ -6,7 +6,7 @@ from scipy.integrate import quad
 from scipy.special import j0, jv
 
 import softlube
-from softlube.elasticity import elastic_operator, ring_kernels
+from softlube.elasticity import elastic_operator
 from softlube.grid import PolarGrid
 from softlube.meshing import angles_for, grid_for, like_hertz, steepness
 from softlube.problem import Problem
@@ -62,11 +62,11 @@ def test_long_waves():
 @pytest.mark.parametrize("layer", [Layer(1.0), Layer(0.2, 0.3), Layer(3.0, 0.5, "frictionless")])
 def test_kernel_against_the_hankel_transform(layer, r, source):
     r, source = np.array(r), np.array(source)
-    difference = layer.ring_kernels(12, r, source) - ring_kernels(12, r, source)
-    k, weight = layer.spectrum()
+    remainder = layer.ring_remainder(np.arange(12), r, source)
+    k, weight = layer.spectrum(float(r + source))
     for m in (0, 1, 2, 7, 11):
         expected = 2 * np.pi * np.sum(weight * jv(m, k * r) * jv(m, k * source))
-        assert difference[m] == pytest.approx(expected, abs=2e-8 / layer.thickness)
+        assert remainder[m] == pytest.approx(expected, abs=2e-8 / layer.thickness)
 
 
 @pytest.mark.parametrize("layer", [Layer(0.7), Layer(0.4, 0.3), Layer(0.5, 0.0, "frictionless")])
@@ -74,7 +74,7 @@ def test_displacement_under_a_gaussian(layer):
     """Against w = −2π∫ C p̃ J₀(kr) dk with p̃ = e^(−k²/4)/2."""
     grid = PolarGrid(54, 8, layer=0.3)
     pressure = np.exp(-(np.repeat(grid.r, 9) ** 2))
-    ours = elastic_operator(grid, "none", layer.ring_kernels).deflection(pressure).reshape(grid.shape)[:, 0]
+    ours = elastic_operator(grid, "none", layer.remainder).deflection(pressure).reshape(grid.shape)[:, 0]
     for i in range(0, 40, 5):
 
         def wave(k, r=grid.r[i]):
@@ -88,7 +88,7 @@ def test_an_incompressible_layer_keeps_its_volume():
     """C ~ k³: a load far from the edge neither sinks nor lifts the layer as a whole, ∫ w dA = 0."""
     grid = PolarGrid(60, 8, layer=0.3)
     pressure = np.exp(-(np.repeat(grid.r, 9) ** 2))
-    operator = elastic_operator(grid, "none", Layer(0.5).ring_kernels)
+    operator = elastic_operator(grid, "none", Layer(0.5).remainder)
     sunk = operator.deflection(pressure)
     assert abs(operator.load_weights @ sunk) < 2e-4 * operator.load_weights @ np.abs(sunk)
 

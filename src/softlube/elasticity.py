@@ -1,28 +1,26 @@
 """The elastic half-space: from pressure to surface displacement, Eqs. (2) and (6b).
 
-In polar coordinates the kernel 1/|x − x′| depends on θ − θ′ only, so each harmonic p_m(r) cos mθ of the pressure displaces the
-surface by a harmonic of the same order,
-
-    w_m(r) = −∫ k_m(r, r′) p_m(r′) r′ dr′,      k_m(r, r′) = ∫₀^{2π} cos mφ dφ/√(r² + r′² − 2rr′ cos φ) = 2 Q_{m−1/2}(χ)/√(rr′),
-
-with χ = (r² + r′²)/(2rr′) and Q the Legendre function of the second kind (a ring's potential).  k_m is singular like
-ln|r − r′|.  The integrals are taken over a piecewise quintic interpolant of p_m by product integration: Gauss points on every
-element, and points graded towards the target on the elements next to it.
+In polar coordinates the kernel depends on θ − θ′ only, so each harmonic p_m(r) cos mθ of the pressure displaces the surface by
+one of the same order, w_m(r) = −∫ k_m(r, r′) p_m(r′) r′ dr′.  On a half-space k_m is a ring's potential (`potentials.py`),
+singular like ln|r − r′|; other substrates add a smooth remainder.  The integrals are taken over a piecewise quintic interpolant
+of p_m by product integration: Gauss points on every element, and points graded towards the target on the elements next to it.
+They are smooth functions of m: beyond the first harmonics some are taken and the others interpolated.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 from scipy import sparse
-from scipy.special import ellipe, ellipkm1
+from scipy.fft import dct
 
 from softlube.grid import RIM, PolarGrid
 from softlube.limits import far_field_profile
+from softlube.potentials import Orders, ring_kernels
 
 Array = NDArray[np.floating]
 
@@ -32,68 +30,31 @@ NEAR = 2
 """Elements on each side of the target that get the graded rule."""
 LARGEST_BATCH = 8_000_000
 """Kernel values held at a time."""
-NEGLIGIBLE = 37.0
-"""mη beyond which Q_{m−1/2} ~ e^{−mη} is below round-off."""
+PANEL, LONG = 12, 0.75
+"""Points on a panel on which a remainder is sampled, and the length of elements, over the panel's, that are too long for plain
+Gauss.  With a pole at the panel's length from it, a function is interpolated to 10⁻⁷ and integrated to 10⁻⁶."""
+EVERY_ORDER, ORDER_STEP = 24, 0.1
+"""So many of the first orders' kernels are computed, then others at this relative distance, between which interpolation is good
+to 10⁻⁵ (5·10⁻⁵ at the last)."""
+BEYOND_NYQUIST = 1.15
+"""Harmonics over those that the narrowest intervals could tell apart; from 1.0 on a few more change films by 10⁻⁵ at most."""
+FINE_ANGLES = 4000
+"""Points on the half-circle from which the far field's harmonics are taken."""
 STENCIL = np.arange(-3, 3)
 """Nodes of the quintic through which p is interpolated on an element, relative to its outer node."""
 
 
-def ring_kernels(n_modes: int, r: Array, r_source: Array) -> Array:
-    """Ring kernels k_m(r, r′) for m = 0 … n_modes − 1.
+class Remainder(Protocol):
+    """What a substrate's kernel has beyond the half-space's."""
 
-    Parameters
-    ----------
-    n_modes : int
-        Number of harmonics.
-    r, r_source : ndarray
-        Radii of target and source, positive, of shapes that broadcast; r ≠ r_source.
+    @property
+    def smooth_over(self) -> float:
+        """Length over which it is smooth: the distance from the real plane up to which it is analytic."""
+        ...
 
-    Returns
-    -------
-    ndarray, shape (n_modes, ...)
-
-    Notes
-    -----
-    The three-term recurrence of Q_{m−1/2} is stable forwards only next to χ = 1; elsewhere the ratios Q_{m+1/2}/Q_{m−1/2} come
-    from the backward recurrence (Miller), started so far up that the start is forgotten to round-off.  Both are anchored at
-    Q_{−1/2} and Q_{1/2}, which are complete elliptic integrals (Abramowitz & Stegun 8.13).
-    """
-    # (χ − 1)/2 = (r − r′)²/(4rr′) is formed without cancellation.
-    excess = np.maximum((r - r_source) ** 2 / (2 * r * r_source), 1e-30)
-    shape, excess = excess.shape, excess.ravel()
-    chi = 1 + excess
-    q = np.zeros((n_modes, excess.size))
-    modulus = np.sqrt(2 / (chi + 1))
-    q[0] = modulus * ellipkm1(excess / (chi + 1))
-    eta = np.log1p(excess + np.sqrt(excess * (2 + excess)))  # χ = cosh η, Q_{m−1/2} falls like e^{−mη}
-
-    forward = eta < 2.0 / n_modes
-    if n_modes > 1 and forward.any():
-        x = chi[forward]
-        before, here = q[0, forward], x * q[0, forward] - np.sqrt(2 * (x + 1)) * ellipe(2 / (x + 1))
-        q[1, forward] = here
-        for m in range(1, n_modes - 1):
-            before, here = here, (4 * m * x * here - (2 * m - 1) * before) / (2 * m + 1)
-            q[m + 1, forward] = here
-
-    # Octaves of η, because the number of steps until the start is forgotten goes like 1/η.
-    octave = np.where(forward, -1, np.floor(np.log2(np.maximum(eta * n_modes / 2, 1))))
-    for number in np.unique(octave[octave >= 0]) if n_modes > 1 else ():
-        band = octave == number
-        x, nearest = chi[band], eta[band].min()
-        last = min(n_modes, int(NEGLIGIBLE / nearest) + 2)
-        ratios = np.empty((last, x.size))
-        ratios[0] = q[0, band]
-        ratio = np.exp(-eta[band])
-        for m in range(last + int(18.5 / nearest) + 2, 0, -1):
-            ratio = (2 * m - 1) / (4 * m * x - (2 * m + 1) * ratio)
-            if m < last:
-                ratios[m] = ratio
-        q[:last, band] = np.cumprod(ratios, axis=0)
-
-    q = q.reshape(n_modes, *shape)
-    q *= 2 / np.sqrt(r * r_source)
-    return q
+    def ring_remainder(self, orders: Orders, r: Array, r_source: Array) -> Array:
+        """Its harmonics, see `ring_kernels`."""
+        ...
 
 
 def _interpolation(grid: PolarGrid, element: NDArray[np.intp], xi: Array) -> tuple[NDArray[np.intp], Array]:
@@ -119,89 +80,193 @@ def _interpolation(grid: PolarGrid, element: NDArray[np.intp], xi: Array) -> tup
     node = element[:, None] + STENCIL
     node = node - np.maximum(0, node[:, -1:] - last)
     x = xi / grid.d_xi - 0.5 - element[:, None]  # in units of the spacing, from the element's outer node
-    place = (node - element[:, None])[:, None, :]
-    weight = np.ones((*xi.shape, STENCIL.size))
-    for a in range(STENCIL.size):
-        for b in range(STENCIL.size):
+    return node, _lagrange(x, (node - element[:, None])[:, None, :])
+
+
+def _lagrange(x: NDArray[np.number], places: NDArray[np.number]) -> Array:
+    """Weights of the values at some places, the last axis, in the polynomial through them at x."""
+    weight = np.ones(np.broadcast_shapes((*x.shape, 1), places.shape))
+    for a in range(places.shape[-1]):
+        for b in range(places.shape[-1]):
             if a != b:
-                weight[..., a] *= (x - place[..., b]) / (place[..., a] - place[..., b])
-    return node, weight
+                weight[..., a] *= (x - places[..., b]) / (places[..., a] - places[..., b])
+    return weight
 
 
-Kernels = Callable[[int, Array, Array], Array]
-"""Harmonics of a substrate's kernel, called like `ring_kernels`."""
+def sampled_orders(n_modes: int) -> tuple[Orders, Array]:
+    """Orders whose kernels are computed, and the weights that give those of all orders.
+
+    Beyond the first `EVERY_ORDER` kernels fall like e^{−mη}, smooth in ln m until they are negligible; every tenth or so does.
+    Those taken are even, like the mirror image beyond the centre, which has no pressure of such orders.
+
+    Returns
+    -------
+    orders : ndarray of int, shape (n_orders,)
+    weights : ndarray, shape (n_modes, n_orders)
+        Of quintic interpolation in m.
+    """
+    orders = list(range(min(n_modes, EVERY_ORDER)))
+    while orders[-1] < n_modes - 1:
+        orders.append(orders[-1] + 2 * max(1, round(ORDER_STEP * orders[-1] / 2)) - orders[-1] % 2)
+    taken, every = np.array(orders), np.arange(n_modes)
+    size = min(STENCIL.size, taken.size)
+    first = np.clip(np.searchsorted(taken, every) - size // 2, 0, taken.size - size)
+    node = first[:, None] + np.arange(size)
+    weights = np.zeros((n_modes, taken.size))
+    weights[every[:, None], node] = _lagrange(every, taken[node])
+    return taken, weights
 
 
-def radial_operators(grid: PolarGrid, n_modes: int, harmonics: Kernels = ring_kernels) -> tuple[Array, Array]:
-    """Product-integration matrices of the ring kernels on the nodes of the grid.
+def radial_operators(grid: PolarGrid, orders: Orders, remainder: Remainder | None = None) -> tuple[Array, Array]:
+    """Product-integration matrices of the kernels on the nodes of the grid.
 
     Parameters
     ----------
     grid : PolarGrid
         Whose nodes carry the pressures.
-    n_modes : int
-        Number of harmonics.
-    harmonics : callable
-        The substrate's kernel; singular at most like ln|r − r′|.
+    orders : ndarray of int, shape (n_orders,)
+        Orders of the harmonics, ascending from 0.
+    remainder : Remainder, optional
+        Of the substrate's kernel.
 
     Returns
     -------
-    kernels : ndarray, shape (n_modes, N, N)
-        ``kernels[m] @ p_m`` is ∫ k_m p_m r′ dr′ up to the outermost node; N counts the rim nodes.
+    kernels : ndarray, shape (n_orders, N, N)
+        ``kernels[i] @ p_m`` is ∫ k_m p_m r′ dr′ up to the outermost node for m = orders[i]; N counts the rim nodes.
     weights : ndarray, shape (N,)
         ``weights @ p_0`` is ∫ p₀ r′ dr′.
     """
-    n = grid.shape[0]
-    edges = np.concatenate([[0.0], grid.xi])  # element e lies between edges[e] and edges[e + 1]
-    parity = (-1.0) ** np.arange(n_modes)[:, None]
-    gauss, gauss_weight = (np.array(a) for a in leggauss(GAUSS_FAR))
-    points = edges[:-1, None] + np.diff(edges)[:, None] * (gauss + 1) / 2
-    r_points = grid.r_of(points)
-    measure = np.diff(edges)[:, None] * gauss_weight / 2 * grid.dr_dxi(r_points) * r_points
+    points = _Points.on(grid)
+    # A remainder is smooth on short elements; on long ones it is treated like the half-space's kernel, near and far.
+    long = np.zeros(grid.shape[0], dtype=bool)
+    result = _far(grid, orders, points)
+    if remainder is not None:
+        long = np.diff(points.r_edges) > LONG * remainder.smooth_over
+        result += _sampled(grid, orders, points, remainder, long)
+    _add_near(result, grid, orders, remainder, long)
+    return result, np.asarray(points.integrals[0].sum(axis=0), dtype=float)
 
-    every = np.arange(n)
-    node, weight = _interpolation(grid, every, points)
-    rows = np.broadcast_to(np.arange(n * GAUSS_FAR).reshape(n, GAUSS_FAR, 1), weight.shape)
-    columns = np.broadcast_to(node[:, None, :], weight.shape)
 
-    def gathering(own: NDArray[np.bool_], column: NDArray[np.intp]) -> sparse.csr_array:
-        """From values at the points to the nodes that interpolate them, transposed."""
-        return sparse.csr_array((weight[own], (column[own], rows[own])), (n, n * GAUSS_FAR))
+@dataclass(frozen=True)
+class _Points:
+    """Gauss points on the elements of a grid.
 
-    direct, mirror = gathering(columns >= 0, columns), gathering(columns < 0, -1 - columns)
+    Attributes
+    ----------
+    r : ndarray, shape (n_elements, GAUSS_FAR)
+        Their radii.
+    r_edges : ndarray, shape (n_elements + 1,)
+        Radii of the elements' ends.
+    integrals : tuple of sparse matrix, shape (n_points, n_elements)
+        What the pressures on the nodes weigh at each point in ∫ … p_m r′ dr′, for even and odd m.
+    """
 
-    # Far elements: plain Gauss.  The near ones are masked out here and added below.  A few targets at a time, to save memory.
-    result = np.empty((n_modes, n, n))
-    gather = [sparse.csr_array(direct + sign * mirror) for sign in (1.0, -1.0)]
-    batch = max(1, LARGEST_BATCH // (n_modes * n * GAUSS_FAR))
-    element = np.repeat(every, GAUSS_FAR)[:, None]
-    for first in range(0, n, batch):
-        target = every[first : first + batch]
-        near = (element > target - NEAR) & (element <= target + NEAR)
-        kernel = harmonics(n_modes, grid.r[target], r_points.reshape(-1, 1))
-        kernel *= np.where(near, 0, measure.reshape(-1, 1))
-        for m in range(n_modes):
-            result[m, target] = (gather[m % 2] @ kernel[m]).T
+    r: Array
+    r_edges: Array
+    integrals: tuple[sparse.csr_array, sparse.csr_array]
 
-    # Near elements: ξ = target-side end ± L t⁴ removes the logarithm and follows kernels that are narrow for large m.
+    @classmethod
+    def on(cls, grid: PolarGrid) -> _Points:
+        """Four on every element, and a quintic through the pressures."""
+        n, edges = grid.shape[0], _edges(grid)
+        gauss, gauss_weight = (np.array(a) for a in leggauss(GAUSS_FAR))
+        xi = edges[:-1, None] + np.diff(edges)[:, None] * (gauss + 1) / 2
+        r = grid.r_of(xi)
+        node, weight = _interpolation(grid, np.arange(n), xi)
+        weight *= (np.diff(edges)[:, None] * gauss_weight / 2 * grid.dr_dxi(r) * r)[..., None]
+        rows = np.broadcast_to(np.arange(n * GAUSS_FAR).reshape(n, GAUSS_FAR, 1), weight.shape).ravel()
+        column = np.broadcast_to(np.where(node < 0, -1 - node, node)[:, None, :], weight.shape).ravel()
+        mirrored = np.broadcast_to((node < 0)[:, None, :], weight.shape)
+        even, odd = (
+            sparse.csr_array((np.where(mirrored, sign * weight, weight).ravel(), (rows, column)), (n * GAUSS_FAR, n))
+            for sign in (1, -1)
+        )
+        return cls(r, grid.r_of(edges), (even, odd))
+
+
+def _edges(grid: PolarGrid) -> Array:
+    """ξ at the ends of the elements: the centre, then the nodes; element e lies between numbers e and e + 1."""
+    return np.concatenate([[0.0], grid.xi])
+
+
+def _is_near(element: NDArray[np.intp], target: NDArray[np.intp]) -> NDArray[np.bool_]:
+    """Whether an element gets the graded rule for a target."""
+    return (element > target - NEAR) & (element <= target + NEAR)
+
+
+def _far(grid: PolarGrid, orders: Orders, points: _Points) -> Array:
+    """Integrals of the half-space's kernels over all but the near elements, a few targets at a time to save memory."""
+    n, r = grid.shape[0], points.r.reshape(-1, 1)
+    result = np.empty((orders.size, n, n))
+    element = np.repeat(np.arange(n), GAUSS_FAR)[:, None]
+    transposed = [sparse.csr_array(each.T) for each in points.integrals]
+    batch = max(1, LARGEST_BATCH // (orders.size * n * GAUSS_FAR))
+    for target in np.split(np.arange(n), np.arange(batch, n, batch)):
+        kernel = ring_kernels(orders, grid.r[target], r)
+        kernel *= ~_is_near(element, target)
+        for row, m in enumerate(orders):
+            result[row, target] = (transposed[m % 2] @ kernel[row]).T
+    return result
+
+
+def _sampled(grid: PolarGrid, orders: Orders, points: _Points, remainder: Remainder, long: NDArray[np.bool_]) -> Array:
+    """Integrals of a remainder over all but the near elements that are long.
+
+    It does not take all points to know it: from the centre to the first long element there are panels as long as it is smooth
+    over, with `PANEL` Chebyshev points each, if these are fewer.
+    """
+    n_inner = int(np.argmax(long)) if long.any() else long.size
+    n_panels = int(np.ceil(points.r_edges[n_inner] / remainder.smooth_over))
+    if n_panels * PANEL > n_inner * GAUSS_FAR:
+        n_inner = n_panels = 0
+    width = points.r_edges[n_inner] / max(n_panels, 1)
+    inner, outer = points.r[:n_inner].ravel(), points.r[n_inner:].ravel()
+    panel = np.minimum(inner / width, n_panels - 1).astype(int)[:, None]
+    chebyshev = (1 - np.cos((np.arange(PANEL) + 0.5) * np.pi / PANEL)) / 2
+    nodes = ((np.arange(n_panels)[:, None] + chebyshev) * width).ravel()
+    weights = _lagrange(inner[:, None] / width - panel, chebyshev[None, None])[:, 0]
+    rows = np.repeat(np.arange(inner.size), PANEL)
+    interpolation = sparse.csr_array(
+        (weights.ravel(), (rows, (panel * PANEL + np.arange(PANEL)).ravel())), (inner.size, nodes.size)
+    )
+
+    kernel = remainder.ring_remainder(orders, grid.r[:, None], np.concatenate([nodes, outer]))
+    element = np.repeat(np.arange(n_inner, long.size), GAUSS_FAR)
+    kernel[:, :, nodes.size :] *= ~(_is_near(element, np.arange(long.size)[:, None]) & long[element])
+    integrals = [
+        np.concatenate([(interpolation.T @ each[: inner.size]).toarray(), each[inner.size :].toarray()])
+        for each in points.integrals
+    ]
+    return np.stack([kernel[row] @ integrals[m % 2] for row, m in enumerate(orders)])
+
+
+def _add_near(result: Array, grid: PolarGrid, orders: Orders, remainder: Remainder | None, long: NDArray[np.bool_]) -> None:
+    """Add the integrals over the near elements, and over long ones those of the remainder.
+
+    ξ = target-side end ± L t⁴ removes the logarithm and follows kernels that are narrow for large m.
+    """
+    n, edges = grid.shape[0], _edges(grid)
     x, x_weight = leggauss(GAUSS_NEAR)
     t, t_weight = (x + 1) / 2, x_weight / 2
-    for offset in range(1 - NEAR, NEAR + 1):
-        target = every[(every + offset >= 0) & (every + offset < n)]
-        element = target + offset
-        length = np.diff(edges)[element, None]
-        xi = edges[element, None] + length * (1 - t**4 if offset <= 0 else t**4)
-        r_near = grid.r_of(xi)
-        jacobian = length * (4 * t**3 * t_weight) * grid.dr_dxi(r_near) * r_near
-        near_kernel = harmonics(n_modes, grid.r[target, None], r_near) * jacobian
-        node, weight = _interpolation(grid, element, xi)
-        share = np.einsum("mpk,pkc->mpc", near_kernel, weight)
+    target, offset = (a.ravel() for a in np.meshgrid(np.arange(n), np.arange(1 - NEAR, NEAR + 1)))
+    target, offset = (a[(target + offset >= 0) & (target + offset < n)] for a in (target, offset))
+    element = target + offset
+    length = np.diff(edges)[element, None]
+    xi = edges[element, None] + length * np.where(offset[:, None] <= 0, 1 - t**4, t**4)
+    r = grid.r_of(xi)
+    kernel = ring_kernels(orders, grid.r[target, None], r)
+    if remainder is not None:
+        own = long[element]
+        kernel[:, own] += remainder.ring_remainder(orders, grid.r[target[own], None], r[own])
+    kernel *= length * (4 * t**3 * t_weight) * grid.dr_dxi(r) * r
+    node, weight = _interpolation(grid, element, xi)
+    share = np.einsum("mpk,pkc->mpc", kernel, weight)
+    share[:, node < 0] *= (-1.0) ** orders[:, None]
+    node = np.where(node < 0, -1 - node, node)
+    for each in range(1 - NEAR, NEAR + 1):
+        own = offset == each
         for column in range(STENCIL.size):
-            own = node[:, column] >= 0
             result[:, target[own], node[own, column]] += share[:, own, column]
-            result[:, target[~own], -1 - node[~own, column]] += parity * share[:, ~own, column]
-
-    return result, np.asarray((direct + mirror) @ measure.ravel())
 
 
 def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
@@ -220,7 +285,7 @@ def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
     m_nodal = np.arange(grid.n_theta + 1)
     half = np.where((m_nodal == 0) | (m_nodal == grid.n_theta), 0.5, 1.0)
     nodal = np.cos(np.outer(m_nodal, grid.s)) * half * half[:, None] * 2 / grid.n_theta
-    n_modes = 1 + max(grid.n_theta, int(1.3 * np.pi / np.min(np.diff(grid.theta))))
+    n_modes = 1 + max(grid.n_theta, int(BEYOND_NYQUIST * np.pi / np.min(np.diff(grid.theta))))
     n_fine = 4 * n_modes
     s = np.arange(n_fine + 1) * np.pi / n_fine
     weight = np.full(n_fine + 1, 2.0 / n_fine)
@@ -237,8 +302,11 @@ class ElasticOperator:
 
     Attributes
     ----------
-    radial : ndarray, shape (n_modes, N, N)
-        Ring operators of each harmonic, see `radial_operators`; N radii with the rim.
+    radial : ndarray, shape (n_low, N, N)
+        Ring operators of the low harmonics, see `radial_operators`; N radii with the rim.
+    radial_high : ndarray of float32, shape (n_modes − n_low, N, N)
+        Those of the others.  They are most of the work, and so small a part of the displacement that single precision changes
+        films by 10⁻⁹.
     synthesis, analysis : ndarray
         From harmonics to nodal values in θ and back, see `angular_transform`.
     load_weights : ndarray, shape (n,)
@@ -252,6 +320,7 @@ class ElasticOperator:
     """
 
     radial: Array
+    radial_high: NDArray[np.float32]
     synthesis: Array
     analysis: Array
     load_weights: Array
@@ -273,20 +342,24 @@ class ElasticOperator:
         ndarray, shape (n,)
         """
         rings = pressure.reshape(-1, self.analysis.shape[1])
-        harmonics = (self.analysis @ rings.T)[:, :, None]
-        displaced = np.matmul(self.radial[:, :, : rings.shape[0]], harmonics)[:, :, 0]
-        return (self.synthesis @ displaced).T.ravel()
+        harmonics, inner, n_low = (self.analysis @ rings.T)[:, :, None], slice(rings.shape[0]), len(self.radial)
+        low = np.matmul(self.radial[:, :, inner], harmonics[:n_low])
+        high = np.matmul(self.radial_high[:, :, inner], harmonics[n_low:].astype(self.radial_high.dtype))
+        return (self.synthesis @ np.concatenate([low, high])[:, :, 0]).T.ravel()
 
     def ring_coupling(self, target: int, sources: slice) -> Array:
         """Deflection of one ring under pressures on some others, shape (number of sources, n_angles, n_angles)."""
-        return np.matmul(self.synthesis * self.radial[:, target, sources].T[:, None, :], self.analysis)
+        radial = np.concatenate([each[:, target, sources] for each in (self.radial, self.radial_high)])
+        return np.matmul(self.synthesis * radial.T[:, None, :], self.analysis)
 
 
-def elastic_operator(grid: PolarGrid, cavitation: str, kernels: Kernels = ring_kernels) -> ElasticOperator:
-    """Assemble the elastic operator of a grid, Eq. (6b), for the substrate with the given kernel: the half-space's if none."""
+def elastic_operator(grid: PolarGrid, cavitation: str, remainder: Remainder | None = None) -> ElasticOperator:
+    """Assemble the elastic operator of a grid, Eq. (6b): the half-space's, or that of the substrate with a given remainder."""
     synthesis, analysis = angular_transform(grid)
     n_modes = analysis.shape[0]
-    radial, weights = radial_operators(grid, n_modes, kernels)
+    orders, spread = sampled_orders(n_modes)
+    kernels, weights = radial_operators(grid, orders, remainder)
+    sampled = kernels.astype(np.float32).reshape(orders.size, -1)
 
     # Beyond the contact u = h₀ + r²/2 up to O(1/r), so p = f(θ)/(βr³)·(1 − 4h₀/r²), Eq. (9) with its first correction
     # (from Kapitza's solution).  With r′ = a/t the integral over (a, ∞) becomes one over t in (0, 1).
@@ -296,16 +369,20 @@ def elastic_operator(grid: PolarGrid, cavitation: str, kernels: Kernels = ring_k
     x, x_weight = leggauss(24)
     t = 1 - ((x + 1) / 2) ** 3
     dt = 3 * ((x + 1) / 2) ** 2 * x_weight / 2
-    kernel = kernels(n_modes, grid.r[:, None], a / t) / a * dt
+    kernel = ring_kernels(orders, grid.r[:, None], a / t)
+    if remainder is not None:
+        kernel += remainder.ring_remainder(orders, grid.r[:, None], a / t)
+    kernel *= dt / a
     # The profile has a kink in its second derivative at the front, so its coefficients are taken on a fine mesh.
-    angle = (np.arange(4000) + 0.5) * np.pi / 4000
-    harmonics = np.cos(np.outer(np.arange(n_modes), angle)) @ far_field_profile(angle, cavitation) * 2 / 4000
+    angle = (np.arange(FINE_ANGLES) + 0.5) * np.pi / FINE_ANGLES
+    harmonics = dct(far_field_profile(angle, cavitation), type=2)[:n_modes] / FINE_ANGLES
     harmonics[0] /= 2
-    parts = np.stack([kernel.sum(-1), kernel @ (-4 * (t / a) ** 2)])
-    far_displacement = np.einsum("m,pmr,km->prk", harmonics, parts, synthesis).reshape(2, -1)
+    parts = spread @ np.stack([kernel.sum(-1), kernel @ (-4 * (t / a) ** 2)])
+    far_displacement = (parts.swapaxes(1, 2) @ (harmonics[:, None] * synthesis.T)).reshape(2, -1)
 
     return ElasticOperator(
-        radial=radial,
+        radial=kernels[: min(n_modes, EVERY_ORDER)].copy(),
+        radial_high=(spread[EVERY_ORDER:].astype(np.float32) @ sampled).reshape(-1, *kernels.shape[1:]),
         synthesis=synthesis,
         analysis=analysis,
         load_weights=2 * np.pi * np.outer(weights, analysis[0]).ravel(),

@@ -47,7 +47,8 @@ def local_stiffness(grid: PolarGrid, substrate: ElasticOperator) -> Sparse:
     rows, columns, values = [], [], []
     row, column = np.indices((n_angles, n_angles)).reshape(2, -1)
     for k, window in enumerate(windows):
-        local = np.block([[coupling[i][j - starts[i]] for j in window] for i in window])
+        blocks = [coupling[i][window.start - starts[i] : window.stop - starts[i]] for i in window]
+        local = np.concatenate([each.swapaxes(0, 1).reshape(n_angles, -1) for each in blocks])
         own = np.zeros((local.shape[0], n_angles))
         place = (k - window.start) * n_angles
         own[place : place + n_angles] = np.eye(n_angles)

@@ -18,28 +18,31 @@ from typing import Any, ClassVar, Literal, Protocol, get_args
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
-from scipy.fft import dct
+from scipy.fft import dct, next_fast_len
 from scipy.interpolate import CubicSpline
 from scipy.special import j0
 
-from softlube.elasticity import ring_kernels
+from softlube.elasticity import Remainder
 from softlube.errors import InputError
+from softlube.potentials import Orders
 
 Array = NDArray[np.floating]
 Base = Literal["bonded", "frictionless"]
 
-LARGEST_WAVENUMBER = 22.0
+LARGEST_WAVENUMBER = 18.0
 """κ beyond which C(κ) − 1 ~ κ² e^(−2κ) is below round-off."""
 PANEL_POINTS, PANEL_PHASE = 16, 20.0
 """Gauss quadrature over κ in panels: points on each, and radians that the fastest wave may turn on each."""
-SCREENED = 40.0
+SHORTEST_REACH = 8.0
+"""Distance, over the thickness, up to which waves are seen at least: C itself varies over κ of the order of one."""
+SCREENED = 30.0
 """Distance, over the thickness, beyond which the layer's kernel is zero to round-off: the nearest pole of C has Im κ > 1."""
 TABLE_STEP = 0.02
 """Spacing of the table of the remainder, over the thickness; the cubic spline through it is good to 10⁻⁹."""
 EVEN: Any = ((1, 0.0), "not-a-knot")
 """Ends of a spline that is even about the first."""
-ROUND = 24.0
-"""Points on the half-circle times the width η of the remainder: harmonics fall like e^(−mη), e^(−24) is left out."""
+ROUND = 20.0
+"""Points on the half-circle times the width η of the remainder: harmonics fall like e^(−mη), e^(−20) is left out."""
 LARGEST_BATCH = 2_000_000
 """Values of the remainder held at a time."""
 
@@ -53,8 +56,9 @@ class Substrate(Protocol):
         """The same with another unit of height, given over the present one; lengths scale with its root."""
         ...
 
-    def ring_kernels(self, n_modes: int, r: Array, r_source: Array) -> Array:
-        """Harmonics of the kernel, k_m(r, r′) = ∫₀^{2π} cos mφ G(|x − x′|) dφ; see `softlube.elasticity.ring_kernels`."""
+    @property
+    def remainder(self) -> Remainder | None:
+        """What its kernel has beyond the half-space's, if anything."""
         ...
 
     def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
@@ -72,9 +76,9 @@ class HalfSpace:
         """Itself: it has no length."""
         return self
 
-    def ring_kernels(self, n_modes: int, r: Array, r_source: Array) -> Array:
-        """Potentials of rings, `softlube.elasticity.ring_kernels`."""
-        return ring_kernels(n_modes, r, r_source)
+    @property
+    def remainder(self) -> None:
+        """None."""
 
     def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
         """Nothing: C = 1."""
@@ -127,33 +131,44 @@ class Layer:
 
     def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
         """Wavenumbers k and weights (C(k) − 1) dk."""
-        panels = math.ceil(LARGEST_WAVENUMBER * max(SCREENED, reach / self.thickness) / PANEL_PHASE)
+        panels = math.ceil(LARGEST_WAVENUMBER * max(SHORTEST_REACH, reach / self.thickness) / PANEL_PHASE)
         kappa, weight = _spectrum(self.poisson_ratio, self.base, panels)
         return kappa / self.thickness, weight / self.thickness
 
-    def ring_kernels(self, n_modes: int, r: Array, r_source: Array) -> Array:
-        """Potentials of rings plus the harmonics of the remainder.
+    @property
+    def remainder(self) -> Layer:
+        """Itself."""
+        return self
 
-        The remainder is analytic up to a distance of 2t off the real plane, so the midpoint rule on the half-circle converges
+    @property
+    def smooth_over(self) -> float:
+        """Twice the thickness, as far as an image of the surface in the base."""
+        return 2 * self.thickness
+
+    def ring_remainder(self, orders: Orders, r: Array, r_source: Array) -> Array:
+        """Harmonics ∫₀^{2π} cos mφ G(|x − x′|) dφ of the remainder G, see `softlube.elasticity.ring_kernels`.
+
+        It is analytic up to a distance of 2t off the real plane, so the midpoint rule on the half-circle converges
         geometrically: its harmonics fall like e^(−mη), cosh η = 1 + [(r − r′)² + 4t²]/(2rr′).
         """
-        result = ring_kernels(n_modes, r, r_source)
-        whole = result.reshape(n_modes, -1)  # a view
-        inner, outer = (np.ascontiguousarray(a).ravel() for a in np.broadcast_arrays(r, r_source))
+        inner, outer = np.broadcast_arrays(r, r_source)
+        result = np.zeros((orders.size, *inner.shape))
+        whole = result.reshape(orders.size, -1)  # a view
+        inner, outer = inner.ravel(), outer.ravel()
         difference, product = (inner - outer) ** 2, inner * outer
         excess = (difference + 4 * self.thickness**2) / (2 * product)
         eta = np.log1p(excess + np.sqrt(excess * (2 + excess)))
-        octave = np.ceil(np.log2(np.maximum(ROUND / eta, 8))).astype(int)
-        for number in np.unique(octave):
-            n = 2 ** int(number)
+        half_octave = np.ceil(2 * np.log2(np.maximum(ROUND / eta, 8))).astype(int)
+        for number in np.unique(half_octave):
+            n = next_fast_len(math.floor(2 ** (number / 2)), real=True)
             # ρ² = (r − r′)² + 4rr′ sin²(φ/2)
             chord = 4 * np.sin((np.arange(n) + 0.5) * np.pi / (2 * n)) ** 2
-            own = np.flatnonzero(octave == number)
-            kept = min(n, n_modes)
+            own = np.flatnonzero(half_octave == number)
+            kept = orders[orders < n]
             for some in np.array_split(own, max(1, own.size * n // LARGEST_BATCH)):
                 distance = np.sqrt(difference[some, None] + product[some, None] * chord)
                 harmonics = dct(self._remainder(distance), type=2, axis=1, overwrite_x=True)
-                whole[:kept, some] += (np.pi / n) * harmonics[:, :kept].T
+                whole[: kept.size, some] = (np.pi / n) * harmonics[:, kept].T
         return result
 
     def _remainder(self, distance: Array) -> Array:
@@ -161,7 +176,12 @@ class Layer:
         s = distance / self.thickness
         value = -1 / np.maximum(s, SCREENED)
         near = s < SCREENED
-        value[near] = _remainder_table(self.poisson_ratio, self.base)(s[near])
+        # Knots at equal distances need not be searched for.
+        x = s[near] / TABLE_STEP
+        knot = x.astype(np.intp)
+        x -= knot
+        cubic, square, slope, here = (c[knot] for c in _remainder_table(self.poisson_ratio, self.base))
+        value[near] = ((cubic * x + square) * x + slope) * x + here
         value /= self.thickness
         return value
 
@@ -192,11 +212,12 @@ def _spectrum(poisson_ratio: float, base: Base, panels: int) -> tuple[Array, Arr
 
 
 @lru_cache(maxsize=16)
-def _remainder_table(poisson_ratio: float, base: Base) -> CubicSpline:
-    """The remainder of a layer of unit thickness against distance, even in it."""
-    kappa, weight = Layer(1.0, poisson_ratio, base).spectrum()
+def _remainder_table(poisson_ratio: float, base: Base) -> Array:
+    """The remainder of a layer of unit thickness: coefficients of cubics, shape (4, n), in `TABLE_STEP` from each knot."""
+    kappa, weight = Layer(1.0, poisson_ratio, base).spectrum(SCREENED)
     s = np.arange(0, SCREENED + 2 * TABLE_STEP, TABLE_STEP)
-    return CubicSpline(s, j0(np.outer(s, kappa)) @ weight, bc_type=EVEN)
+    spline = CubicSpline(s, j0(np.outer(s, kappa)) @ weight, bc_type=EVEN)
+    return spline.c * TABLE_STEP ** np.arange(3.0, -1.0, -1.0)[:, None]
 
 
 KINDS = {cls.kind: cls for cls in (HalfSpace, Layer)}

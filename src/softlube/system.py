@@ -34,7 +34,7 @@ fluidity is 10⁻¹⁰ that says that nothing flows however far the pressure fal
 
 @lru_cache(maxsize=8)
 def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> tuple[ElasticOperator, ReynoldsOperator, Sparse]:
-    elastic = elastic_operator(grid, cavitation, substrate.ring_kernels)
+    elastic = elastic_operator(grid, cavitation, substrate.remainder)
     return elastic, ReynoldsOperator.on(grid), local_stiffness(grid, elastic)
 
 

@@ -91,7 +91,7 @@ class SqueezeFilm:
         """Build the equations of a grid (only its radii are used); a half-space and constant viscosity where not given."""
         grid = grid.resized(grid.n_r, ANGLES)
         n = grid.n_r
-        kernels, measure = radial_operators(grid, 1, (substrate or HalfSpace()).ring_kernels)
+        kernels, measure = radial_operators(grid, np.arange(1), (substrate or HalfSpace()).remainder)
 
         # Beyond the last ring the pressure falls like r⁻⁴.  Its load is counted, its deflection (of order reach⁻³) is not.
         extend = np.vstack([np.eye(n), np.zeros((RIM, n))])
