@@ -45,6 +45,7 @@ def test_numbers_are_those_of_squeeze(swept):
         for name, unit in UNITS.items():
             assert row[f"{name} [{unit}]"] == pytest.approx(float(film.final[name]), rel=1e-7), name
             assert row[f"{name}_error [{unit}]"] == pytest.approx(film.final[name].error, rel=1e-3), name
+    assert table["warnings"].tolist() == [""] * 4
     assert table["ended_by"].tolist() == ["duration", "film_limit", "film_limit", "film_limit"]
     # half as viscous, through the limit in half the time
     assert table["end_time [s]"][1] == pytest.approx(2 * table["end_time [s]"][3], rel=1e-4)
@@ -84,6 +85,19 @@ def test_a_layer_with_an_oil():
     assert (row["thickness [m]"], row["base"], row["status"]) == (5e-4, "frictionless", "done")
     for name, unit in UNITS.items():
         assert row[f"{name} [{unit}]"] == pytest.approx(float(film.final[name]), rel=1e-7), name
+    assert len(film.warnings) == 1  # the layer's
+    assert row["warnings"] == film.warnings[0]
+
+
+def test_warnings_are_a_column():
+    pulled = {"radius": "2 mm", "young_modulus": "30 MPa", "viscosity": [2.0, 0.01], "approach_speed": "-100 mm/s"}
+    pulled |= {"initial_height": "5 um", "duration": "0.2 ms"}
+    table = softlube.sweep(pulled, **SQUEEZE).table
+    for viscosity, text in zip(pulled["viscosity"], table["warnings"], strict=True):
+        own = softlube.squeeze(**pulled | {"viscosity": viscosity}, accuracy=ROUGH).warnings
+        assert "cavitate" in own[0]
+        assert text == "; ".join(own)
+    assert "inertia" in table["warnings"][1]
 
 
 def test_with_a_speed_it_slides(tmp_path):
@@ -100,6 +114,7 @@ def test_with_a_speed_it_slides(tmp_path):
             assert first[f"{name} [{quantity.unit}]"] == pytest.approx(float(quantity), rel=1e-7), name
             assert second[f"{name} [{quantity.unit}]"] == pytest.approx(float(quantity), rel=1e-7), name
     assert second["end_time [s]"] == 1e-3
+    assert first["warnings"] == "; ".join(own.warnings)
     assert "dimple_time [s]" not in first
     path = result.save_fields(tmp_path / "fields")[1]
     with xr.open_dataset(path, engine="h5netcdf") as data:

@@ -52,6 +52,20 @@ def test_numbers_are_those_of_solve(swept):
         assert row["friction_coefficient"] == pytest.approx(solution.dimensional["friction_coefficient"], rel=1e-8)
 
 
+def test_warnings_are_a_column():
+    table = softlube.sweep(BALL | {"load": "50 mN", "roughness": ["1 nm", "1 mm"]}, accuracy=ROUGH, workers=1).table
+    one = softlube.Contact(**BALL | {"load": "50 mN", "speed": "1 mm/s", "roughness": "1 mm"}).solve(accuracy=ROUGH)
+    assert table["warnings"].tolist()[:3] == ["", "; ".join(one.warnings), ""]  # at 1 mm/s, then at 3 mm/s
+    assert all("below the roughness" in text for text in table["warnings"][1::2])
+
+
+@pytest.mark.slow
+def test_a_spike_without_a_height_is_warned_of_in_the_table():
+    hard = {"radius": "10 mm", "young_modulus": "82.5 GPa", "viscosity": "0.05 Pa s", "speed": "1.17 m/s", "load": "5.17 N"}
+    table = softlube.sweep(hard | {"pressure_viscosity": "20 GPa^-1"}, accuracy=ROUGH, workers=1).table
+    assert "spike" in table["warnings"][0]
+
+
 def test_a_second_run_solves_nothing_and_gives_the_same(swept):
     result, store = swept
     states = []

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import xarray as xr
 
 from softlube import fluids, substrates
+from softlube.approach.extremes import Extremes
 from softlube.approach.result import DESCRIPTION, DIMENSION
 
 if TYPE_CHECKING:
@@ -89,5 +90,5 @@ def in_units(data: xr.Dataset, setup: Setup | None, more: Mapping[str, Any] | No
     def history(name: str) -> NDArray[Any]:
         return (data[name] if name in data else data.pressure.min(("r", "theta"))).to_numpy()
 
-    doubts = setup.doubts(data.time.to_numpy(), history)
+    doubts = setup.doubts(Extremes.of(data.time.to_numpy(), history))
     return data.assign_attrs(warnings=json.dumps(doubts), inputs_SI=json.dumps(asdict(setup) | dict(more or {})))

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from softlube.approach.extremes import Extremes
 from softlube.approach.motion import Motion, constant_load, constant_speed, history
 from softlube.approach.result import Squeeze, follow, interpreted
 from softlube.errors import InputError
@@ -121,20 +122,10 @@ class Setup(Materials):
         """SI value and unit of each unit of the normalised problem; docs/squeeze.md."""
         return self.scales(self.unit_height)
 
-    def doubts(self, time: Array, history: Callable[[str], Array]) -> tuple[str, ...]:
-        """Warnings where the model may not describe the experiment.
-
-        Parameters
-        ----------
-        time : ndarray
-            In s.
-        history : callable
-            Gives "height", "film_center", "pressure_min" and "pressure_max" at these times, in SI.
-        """
+    def doubts(self, extremes: Extremes) -> tuple[str, ...]:
+        """Warnings where the model may not describe the experiment, whose extremes are given in SI."""
         doubts = []
-        height = history("height")
-        depth = max(-float(height.min()), 0.0)
-        suction = -float(history("pressure_min").min())
+        depth, suction = max(-extremes.least_height, 0.0), -extremes.least_pressure
         layer: list[str] = []
         radius = (self.radius * depth) ** 0.5
         substrate = self.substrate_for(self.unit_height)
@@ -152,13 +143,12 @@ class Setup(Materials):
                 f"the pressure falls {suction:.3g} Pa below the surroundings', more than the atmosphere's 1.01e5 Pa: the "
                 f"liquid would cavitate, which is not modelled here"
             )
-        speed = float(np.max(np.abs(np.diff(height) / np.diff(time))))
-        reynolds = self.density * speed * float(history("film_center").max()) / self.viscosity
+        reynolds = self.density * extremes.largest_speed * extremes.largest_film / self.viscosity
         if reynolds > LARGEST_FILM_REYNOLDS:
             doubts.append(
                 f"the film's Reynolds number rho V u/eta reaches {reynolds:.2g}, not small: inertia is neglected here"
             )
-        return (*doubts, *layer, *self.thickening_doubt(float(history("pressure_max").max())))
+        return (*doubts, *layer, *self.thickening_doubt(extremes.largest_pressure))
 
 
 def squeeze(

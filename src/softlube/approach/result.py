@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from softlube.approach.extremes import Extremes
 from softlube.approach.integrate import HISTORIES, Run, integrate
 from softlube.approach.motion import Motion
 from softlube.errors import InputError, NotConvergedError
@@ -137,6 +138,11 @@ class Squeeze:
         square, time = radius[first : first + 2] ** 2, self.time[first : first + 2]
         born = time[0] - square[0] * (time[1] - time[0]) / max(square[1] - square[0], 1e-300)
         return float(np.clip(born, self.time[max(on_axis[-1] - 1, 0)], self.time[on_axis[-1] + 1]))
+
+    @property
+    def extremes(self) -> Extremes:
+        """What the doubts about it go by, in SI if the input was physical."""
+        return Extremes.of(self.time, self.history)
 
     @property
     def dataset(self) -> Dataset:
@@ -272,4 +278,4 @@ def _compared(fine: Run, coarse: Run, tolerances: tuple[Run, Run], accuracy: flo
 def interpreted(result: Squeeze, setup: Setup) -> Squeeze:
     """A normalised result with its physical input and the doubts about it."""
     result = replace(result, setup=setup)
-    return replace(result, warnings=setup.doubts(result.time, result.history))
+    return replace(result, warnings=setup.doubts(result.extremes))

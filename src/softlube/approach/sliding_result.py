@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 from softlube import fluids, substrates
+from softlube.approach.extremes import Extremes
 from softlube.approach.motion import Motion
 from softlube.approach.physical import Setup
 from softlube.approach.sliding import SlidingStart, start_sliding
@@ -113,15 +114,20 @@ class Slide:
         }
 
     @property
-    def warnings(self) -> tuple[str, ...]:
-        """Doubts about the physics."""
+    def extremes(self) -> Extremes:
+        """What the doubts about it go by, in SI if the input was physical."""
 
         def history(name: str) -> Array:
             if name != "pressure_min":
                 return self.histories[name]
             return self.scale("pressure")[0] * np.array([fields.pressure.min() for fields in self.run.fields])
 
-        return () if self.setup is None else self.setup.doubts(self.time, history)
+        return Extremes.of(self.time, history)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Doubts about the physics."""
+        return () if self.setup is None else self.setup.doubts(self.extremes)
 
     @property
     def dataset(self) -> Dataset:

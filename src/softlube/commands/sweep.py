@@ -108,6 +108,10 @@ def _report(result: Sweep, last: Progress, table: Path, store: Path, written: li
         f"{last.total - last.found} solved now. {result.n_failed} cases failed.",
         markup=False,
     )
+    found = result.table
+    warned = int((found["warnings"].fillna("") != "").sum()) if "warnings" in found else 0
+    if warned:
+        console.print(f"{warned} {'case has' if warned == 1 else 'cases have'} warnings: column warnings of the table.")
     reasons: dict[str, list[int]] = {}
     for number, key in enumerate(result.keys, 1):
         if result.outcomes[key].failed:

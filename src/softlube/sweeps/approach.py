@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, fields
 from inspect import signature
 from pathlib import Path
 from typing import Any, ClassVar
 
 from softlube.approach import result as squeezing
 from softlube.approach import sliding_result as sliding
+from softlube.approach.extremes import Extremes
 from softlube.approach.motion import Motion
 from softlube.approach.physical import WAYS, Setup, Table, exactly_one, read_history, read_motion, squeeze
 from softlube.approach.start import read_sliding
@@ -95,6 +96,7 @@ class SlidingTask:
 
 def _outcome(result: squeezing.Squeeze | sliding.Slide, facts: Mapping[str, Value], with_fields: bool) -> Outcome:
     """When and why a normalised motion ended, and its last values."""
+    facts = {**facts, **asdict(result.extremes)}
     final = {"end_time": Quantity(float(result.time[-1]), result.time_error)} | result.final
     return Outcome(
         quantities={name: (float(quantity), quantity.error) for name, quantity in final.items()},
@@ -125,11 +127,14 @@ class ApproachCase:
     sliding: Mapping[str, Any]
 
     def numbers(self, outcome: Outcome) -> dict[str, Value]:
-        """Why and when it ended, the last values with their errors, and since when there is a dimple, in SI."""
+        """Warnings, why and when it ended, the last values with their errors, and since when there is a dimple, in SI."""
         if outcome.failed:
             return {}
         units = {name: self.setup.units[kind] for name, kind in self.task.scales.items()}
-        row: dict[str, Value] = {"ended_by": outcome.facts["ended_by"]}
+        scales = {kind: scale for kind, (scale, _) in self.setup.units.items()}
+        extremes = Extremes(**{each.name: float(outcome.facts[each.name]) for each in fields(Extremes)})
+        doubts = self.setup.doubts(extremes.scaled(scales["height"], scales["pressure"], scales["time"]))
+        row: dict[str, Value] = {"warnings": "; ".join(doubts), "ended_by": outcome.facts["ended_by"]}
         for name, (value, error) in outcome.quantities.items():
             scale, unit = units[name]
             row[f"{name} [{unit}]"] = value * scale

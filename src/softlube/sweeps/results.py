@@ -40,10 +40,11 @@ def check_table(name: str, path: str | os.PathLike[str]) -> Path:
 def to_table(result: Sweep) -> pandas.DataFrame:
     """One row a case, in the plan's order.
 
-    Columns are the inputs, status ("done", "failed") and reason, and what such cases have: steady ones β of Eqs. (6d) and (30),
-    squeeze films when and why they ended, both every quantity with its error.  Physical cases have their quantities in SI, with
-    the unit in the header ("film_min [m]"), so that the file can be read again as a table of cases; dimensionless ones in the
-    paper's normalisation.  The order and the numbers depend on the plan alone, not on who solved what and when.
+    Columns are the inputs, status ("done", "failed") and reason, warnings (with "; " in between), and what such cases have:
+    steady ones β of Eqs. (6d) and (30), squeeze films when and why they ended, both every quantity with its error.  Physical
+    cases have their quantities in SI, with the unit in the header ("film_min [m]"), so that the file can be read again as a
+    table of cases; dimensionless ones in the paper's normalisation.  The order and the numbers depend on the plan alone, not on
+    who solved what and when.
     """
     import pandas as pd
 

@@ -66,7 +66,7 @@ class SteadyTask:
         solution = solve_problem(self.problem, accuracy=accuracy)
         return Outcome(
             quantities={name: (float(quantity), quantity.error) for name, quantity in solution.quantities.items()},
-            facts={"beta": solution.beta, "beta_load": solution.beta_load},
+            facts={"beta": solution.beta, "beta_load": solution.beta_load, "warnings": "; ".join(solution.warnings)},
             fields=contents(solution.save) if with_fields else None,
         )
 
@@ -118,12 +118,13 @@ class SteadyCase:
         return SteadyTask(self.problem)
 
     def numbers(self, outcome: Outcome) -> dict[str, Value]:
-        """β of Eqs. (6d) and (30), and every quantity with its error: in SI, or dimensionless in the paper's normalisation."""
+        """Warnings, β of Eqs. (6d) and (30), every quantity with its error: in SI, or dimensionless as in the paper."""
         if outcome.failed:
             return {"beta_load" if self.problem.load_controlled else "beta": self.problem.parameter}
-        row = dict(outcome.facts)
         quantities = {name: Quantity(value, error) for name, (value, error) in outcome.quantities.items()}
         dimensional = self.contact.dimensional(quantities) if self.contact is not None else {}
+        doubts = [str(outcome.facts["warnings"]), *(self.contact.doubts(dimensional) if self.contact is not None else ())]
+        row = {"warnings": "; ".join(filter(None, doubts))} | {name: outcome.facts[name] for name in DIMENSIONLESS}
         for name, quantity in (quantities | dimensional).items():
             unit = f" [{UNITS[name]}]" if name in dimensional and UNITS[name] else ""
             row[f"{name}{unit}"] = float(quantity)
