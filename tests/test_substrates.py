@@ -8,7 +8,7 @@ from scipy.special import j0, jv
 import softlube
 from softlube.elasticity import elastic_operator
 from softlube.grid import PolarGrid
-from softlube.meshing import angles_for, grid_for, like_hertz, steepness
+from softlube.meshing import angles_for, dry_under, grid_for, like_hertz, steepness
 from softlube.problem import Problem
 from softlube.solver import solve_level
 from softlube.substrates import HalfSpace, Layer, compliance_defect, from_plain, to_plain
@@ -140,6 +140,41 @@ def test_three_grids_of_a_half_spaces_size_do_for_layers(beta, thickness):
     finest, half_space = solution.levels[-1], softlube.solve(beta=beta).levels[-1]
     assert len(solution.levels) == 3
     assert finest.n_r * finest.n_theta < 1.4 * half_space.n_r * half_space.n_theta
+
+
+@pytest.mark.parametrize(
+    ("control", "beta", "thickness"),
+    [("beta_load", 1000, 1.0), ("beta_load", 100, 0.174), ("beta", 1000, 0.476), ("beta_load", 30, 0.25)],
+)
+def test_three_grids_do_by_load_and_at_other_thicknesses(control, beta, thickness):
+    """0.174 and 0.476 are 0.3 radii of the dry contact; under the lightest load the sphere is hardly below the surface."""
+    arguments = {control: beta, "substrate": Layer(thickness)}
+    solution = softlube.solve(**arguments)
+    assert len(solution.levels) == 3
+    problem = Problem(**arguments)
+    fine = solve_level(problem, grid_for(problem, 40), None).level.values
+    for name in ("film_center", "film_min", "film_outlet_min", "pressure_max", "friction_domain", "shear_rate_max"):
+        allowed = 3e-3 if name in ("film_min", "shear_rate_max") else 1e-3
+        assert solution.quantities[name] == pytest.approx(fine[name], rel=allowed), name
+
+
+@pytest.mark.parametrize("control", ["beta", "beta_load"])
+def test_the_boundary_layer_is_counted_from_the_dry_contact_on_the_layer(control):
+    """At large β it is where the dry pressure is 5 % of its maximum, inside the edge, and a layer of β′^(−2/5) more."""
+    problem = Problem(**{control: 1e4}, substrate=Layer(0.5))
+    dry = dry_under(problem)
+    y = np.linspace(0.5, 1, 5001)
+    inside = y[np.flatnonzero(dry.pressure(dry.radius * y) > 0.05 * dry.pressure(0.0))[-1]]
+    solution = softlube.solve(**{control: 1e4}, substrate=Layer(0.5))
+    assert -3e-4 < solution.boundary_layer / dry.radius - (inside - 1) < like_hertz(problem) ** -0.4
+    unit = (solution.beta if control == "beta_load" else solution.beta_load) / problem.parameter
+    other = softlube.solve(
+        **{"beta" if control == "beta_load" else "beta_load": problem.parameter * float(unit)},
+        substrate=Layer(0.5).in_units(float(unit) ** 0.5),
+    )
+    assert solution.normalised("indentation" if control == "beta_load" else "load")["boundary_layer"] == pytest.approx(
+        other.boundary_layer, abs=2e-4
+    )
 
 
 def test_a_mesh_follows_the_steepness_of_the_edge():

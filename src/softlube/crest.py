@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from softlube.accuracy import yardstick
 from softlube.closeup import NEAR_RIDGE, WIDTHS, CloseUp, close_ups
 from softlube.fields import Fields
+from softlube.meshing import contact_edge
 from softlube.problem import Problem
 from softlube.quantities import CONTACT, DOMAIN, boundary_layer, friction_within, poiseuille_within
 from softlube.solution import Quantity
@@ -211,7 +212,7 @@ def resolve_spike(problem: Problem, fields: Fields, progress: Callable[[str], No
     for name, cutoff in DISCS.items():
         missed = OF_WHAT_GRIDS_MISS * abs(found[name] - friction_within(fields, cutoff))
         found[name] = Quantity(found[name], max(found[name].error, missed))
-    found["boundary_layer"] = _layer(fields, found["pressure_max"])
+    found["boundary_layer"] = _layer(fields, found["pressure_max"], contact_edge(problem))
     return {name: each for name, each in found.items() if each.error <= LARGEST_SPIKE_ERROR * yardstick(name, found)}
 
 
@@ -221,16 +222,23 @@ def _settled(said: Sequence[Reading]) -> Quantity:
     return Quantity(value[-1], max(change[-1], change[-2] / 2, said[-1].doubt))
 
 
-def _layer(fields: Fields, pressure_max: Quantity) -> Quantity:
+def _layer(fields: Fields, pressure_max: Quantity, edge: float) -> Quantity:
     """The inlet's boundary layer, which the spike decides only as what 5 % are taken of."""
-    value = boundary_layer(fields, pressure_max)
-    off = [abs(boundary_layer(fields, pressure_max + error) - value) for error in (-pressure_max.error, pressure_max.error)]
+    value = boundary_layer(fields, pressure_max, edge)
+    off = [
+        abs(boundary_layer(fields, pressure_max + error, edge) - value) for error in (-pressure_max.error, pressure_max.error)
+    ]
     least = LEAST_ERROR["boundary_layer"] * yardstick("boundary_layer", {"boundary_layer": value})
     return Quantity(value, max(*off, least))
 
 
 def in_other_unit(
-    own: Mapping[str, Quantity], on_grid: Mapping[str, float], fields: Fields, values: Mapping[str, float], unit: float
+    own: Mapping[str, Quantity],
+    on_grid: Mapping[str, float],
+    fields: Fields,
+    values: Mapping[str, float],
+    unit: float,
+    edge: float,
 ) -> dict[str, Quantity]:
     """The same numbers normalised with another unit of height.
 
@@ -246,6 +254,8 @@ def in_other_unit(
         What they give.
     unit : float
         The other unit over the solution's own.
+    edge : float
+        See `softlube.meshing.contact_edge`, in the other unit.
     """
     lengths = [name for name in SPIKE_QUANTITIES if name in own]  # pressures go like the root of the unit, too
     result = {name: Quantity(own[name] * unit**-0.5, own[name].error * unit**-0.5) for name in lengths}
@@ -253,5 +263,5 @@ def in_other_unit(
         # Another disc, but the spike is in both, and so is what the grid has missed.
         missed = (own[name] - on_grid[name]) * unit**-2
         result[name] = Quantity(values[name] + missed, own[name].error * unit**-2)
-    result["boundary_layer"] = _layer(fields, result["pressure_max"])
+    result["boundary_layer"] = _layer(fields, result["pressure_max"], edge)
     return result

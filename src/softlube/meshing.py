@@ -17,6 +17,9 @@ RADIAL_STEP_LIGHT = 3.5
 """The same under a sphere that hardly touches or does not."""
 LIGHT = 50.0
 """β below which a sphere hardly touches."""
+RADIAL_STEP_STEEP, STEEP_LIGHT = 4.3, (3.0, 30.0)
+"""The same on layers up to larger β, where the film is thinnest on the outlet axis, at the free boundary; and by how much
+larger the β are for the step before and for this one, times the share of the dry pressure's rise at the edge that is theirs."""
 RADIAL_STEP_SUCTION = 3.2
 """The same up to `DEEP_BETA` without the Reynolds condition: the suction behind the contact is narrower than the layer at its
 edge."""
@@ -25,10 +28,15 @@ DEEP_BETA = 3e4
 STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.25, 1.4
 """What `steepness` adds to the mesh: by how much its zone at the edge moves outwards, over β^(−2/5); crowding at the sides;
 angular intervals and, with its square, radial spacing, both as a fraction."""
+DEEP_ANGLES = 31 / 26
+"""Angular intervals on a layer over the half-space's at least, beyond `DEEP_BETA`, for what the free boundary leaves of the
+film at the sides (`softlube.accuracy`)."""
 STEEP_BETA = 3e2, 3e4
 """β′ from which on it counts, and beyond which it does in full."""
 COARSEST = 0.43
 """Spacing of ξ that `STEEP_STEP` does not go beyond, lest the first grid be no start for the second."""
+THIN_GAP = 15.0
+"""β′ of a layer beyond which there is a contact even where the sphere stays above the undeformed surface."""
 TOUCHING = 4.5
 """β_load at which h₀ = 0 under the Reynolds condition, about."""
 THICK = 2.5
@@ -63,6 +71,11 @@ def dry_under(problem: Problem) -> DryContact:
     return dry_contact_at(problem.substrate, indentation=1.0)
 
 
+def contact_edge(problem: Problem) -> float:
+    """Radius of the dry contact, from which the boundary layer is counted; of the unit's over a gap that is prescribed."""
+    return 1.0 if problem.height >= 0 else dry_under(problem).radius
+
+
 def like_hertz(problem: Problem) -> float:
     """β of the contact on a half-space with the same layers at its edge; the problem's own if it is one."""
     return dry_under(problem).like_hertz(problem.parameter)
@@ -83,12 +96,21 @@ def steepness(problem: Problem) -> float:
 
 def angles_for(problem: Problem, n_theta: int) -> int:
     """Angular intervals that do for a problem what `n_theta` do on a half-space."""
-    return round(n_theta * (1 + STEEP_ANGLES * steepness(problem)))
+    steep = steepness(problem)
+    factor = 1 + STEEP_ANGLES * steep
+    if steep > 0 and like_hertz(problem) > DEEP_BETA:
+        factor = max(factor, DEEP_ANGLES)
+    return round(n_theta * factor)
 
 
 def over_a_gap(problem: Problem) -> bool:
-    """Whether the sphere stays above the undeformed surface, or about."""
-    return problem.height >= 0 or (problem.load_controlled and unit_for(problem) > 1.01 * dry_under(problem).radius ** 2)
+    """Whether the sphere stays above the undeformed surface, or about.
+
+    Not so on a thin layer, which is hardly indented but has a contact with narrow layers at its edge.
+    """
+    if not problem.load_controlled:
+        return problem.height >= 0
+    return like_hertz(problem) < THIN_GAP and unit_for(problem) > 1.01 * dry_under(problem).radius ** 2
 
 
 def thickening(problem: Problem) -> float:
@@ -139,7 +161,8 @@ def grid_for(problem: Problem, n_theta: int, crest: float = 0.0) -> PolarGrid:
         crest=crest / edge,
         crest_layer=crest_layer(problem) / edge,
     )
-    step = RADIAL_STEP_LIGHT if beta < LIGHT else RADIAL_STEP
+    light, less_light = (LIGHT * (1 + factor * (1 - 1 / dry_under(problem).edge)) for factor in STEEP_LIGHT)
+    step = RADIAL_STEP_LIGHT if beta < light else RADIAL_STEP_STEEP if beta < less_light else RADIAL_STEP
     if problem.cavitation == "reynolds":
         step = max(step, min(step * (1 + STEEP_STEP * steep**2), COARSEST * n_theta))
     elif not gap and not deep:

@@ -136,8 +136,8 @@ def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
     return np.hypot(1 / film + np.abs(poiseuille * q_x), poiseuille * q_y)
 
 
-def measure(fields: Fields) -> dict[str, float]:
-    """All quantities of `DESCRIPTION`, dimensionless."""
+def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
+    """All quantities of `DESCRIPTION`, dimensionless; the boundary layer from the dry contact's `edge`."""
     chart = fields.chart
     xi_nodes, s_nodes = chart.xi_of(fields.r), chart.s_of(fields.theta)
     inside = float(chart.xi_of(min(DOMAIN, fields.r[-1])))
@@ -185,15 +185,15 @@ def measure(fields: Fields) -> dict[str, float]:
         "pressure_center": float(fields.pressure_at(0.0, 0.0)),
         "pressure_max": pressure_max,
         "pressure_gradient_inlet": -slope,
-        "boundary_layer": boundary_layer(fields, pressure_max),
+        "boundary_layer": boundary_layer(fields, pressure_max, edge),
         "friction_contact": friction_within(fields, CONTACT),
         "friction_domain": friction_within(fields, min(DOMAIN, float(fields.r[-1]))),
         "shear_rate_max": shear_rate_max,
     }
 
 
-def boundary_layer(fields: Fields, pressure_max: float) -> float:
-    """Distance from r = 1 to where the pressure on the inlet axis has fallen to 5 % of its maximum, Eq. (21)."""
+def boundary_layer(fields: Fields, pressure_max: float, edge: float = 1.0) -> float:
+    """Distance from the edge of the dry contact to where the pressure on the inlet axis is 5 % of its maximum, Eq. (21)."""
     xi_nodes = fields.chart.xi_of(fields.r)
     xi = _fine(xi_nodes, 0.0, float(xi_nodes[-1]), 2)
     for _ in range(6):
@@ -202,4 +202,4 @@ def boundary_layer(fields: Fields, pressure_max: float) -> float:
         if last == xi.size - 1:
             return float("nan")
         xi = np.linspace(xi[last], xi[last + 1], 33)
-    return float(fields.chart.r_of(xi.mean())) - 1
+    return float(fields.chart.r_of(xi.mean())) - edge

@@ -22,6 +22,7 @@ from softlube.meshing import (
     THICK,
     THICKEST,
     angles_for,
+    contact_edge,
     crest_of,
     dry_under,
     first_height,
@@ -88,7 +89,9 @@ def solve_level(problem: Problem, grid: PolarGrid, start: Array | None) -> Solve
     history: list[Iteration] = []
     x = _unknowns(problem, grid, start, history)
     fields = ContactSystem(problem, grid, unit_for(problem)).fields(x)
-    level = Level(grid.n_r, grid.n_theta, measure(fields), tuple(history), time.perf_counter() - began, fields)
+    level = Level(
+        grid.n_r, grid.n_theta, measure(fields, contact_edge(problem)), tuple(history), time.perf_counter() - began, fields
+    )
     return Solved(level, fields, x, grid)
 
 
@@ -316,14 +319,16 @@ def normalised_otherwise(problem: Problem, levels: Sequence[Level], own: Mapping
     if any(each.height >= 0 for each in fields):
         return {}
     units = [_other_unit(problem, each) for each in fields]
-    histories = [measure(each.in_units(unit)) for each, unit in zip(fields, units, strict=True)]
+    by_load, substrate = problem.load_controlled, problem.substrate.in_units(units[-1])
+    edge = contact_edge(Problem(beta=1.0 if by_load else None, beta_load=None if by_load else 1.0, substrate=substrate))
+    histories = [measure(each.in_units(unit), edge) for each, unit in zip(fields, units, strict=True)]
     exact = "height" if problem.load_controlled else "load"
     errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact, spike_bound(fields[-1]))
     missing = withheld(fields[-1], histories[-1], errors)
     found = _quantities(histories[-1], errors, missing)
     if not missing and "spike_radius" not in own:
         return found
-    known = in_other_unit(own, levels[-1].values, fields[-1].in_units(units[-1]), histories[-1], units[-1])
+    known = in_other_unit(own, levels[-1].values, fields[-1].in_units(units[-1]), histories[-1], units[-1], edge)
     return found | {name: each for name, each in known.items() if name in missing or name not in found}
 
 
