@@ -7,10 +7,11 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import ive
 
-from softlube.elasticity import angular_transform, elastic_operator, radial_operators, sampled_orders
+from softlube.elasticity import angular_transform, elastic_operator
 from softlube.grid import PolarGrid
 from softlube.limits import disc_displacement, far_field_profile
 from softlube.potentials import ring_kernels
+from softlube.radial import radial_operators, sampled_orders
 from softlube.substrates import Layer
 
 

@@ -22,9 +22,9 @@ from scipy.fft import dct, next_fast_len
 from scipy.interpolate import CubicSpline
 from scipy.special import j0
 
-from softlube.elasticity import Remainder
 from softlube.errors import InputError
 from softlube.potentials import Orders
+from softlube.radial import Remainder
 
 Array = NDArray[np.floating]
 Base = Literal["bonded", "frictionless"]
@@ -146,7 +146,7 @@ class Layer:
         return 2 * self.thickness
 
     def ring_remainder(self, orders: Orders, r: Array, r_source: Array) -> Array:
-        """Harmonics ∫₀^{2π} cos mφ G(|x − x′|) dφ of the remainder G, see `softlube.elasticity.ring_kernels`.
+        """Harmonics ∫₀^{2π} cos mφ G(|x − x′|) dφ of the remainder G, see `softlube.potentials.ring_kernels`.
 
         It is analytic up to a distance of 2t off the real plane, so the midpoint rule on the half-circle converges
         geometrically: its harmonics fall like e^(−mη), cosh η = 1 + [(r − r′)² + 4t²]/(2rr′).

@@ -20,9 +20,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.elasticity import radial_operators
 from softlube.fluids import Fluid, Newtonian
 from softlube.grid import RIM, PolarGrid
+from softlube.radial import radial_operators
 from softlube.reynolds import ReynoldsOperator
 from softlube.substrates import HalfSpace, Substrate
 
