@@ -40,6 +40,15 @@ def test_sweep(plan, capsys):
     assert (plan.parent / "plan-results.csv").read_bytes() == first
 
 
+def test_a_sweep_says_how_many_cases_have_warnings(plan, capsys):
+    ball = 'radius = "2 mm"\nyoung_modulus = "3 MPa"\nviscosity = "2 Pa s"\nload = "50 mN"\nspeed = "1 mm/s"\n'
+    plan.write_text(f'[sweep]\naccuracy = 0.05\n[parameters]\n{ball}roughness = ["1 nm", "1 mm"]\n')
+    assert main(["sweep", str(plan), "--workers", "1"]) == 0
+    assert "1 case has warnings; see the column warnings of the table." in capsys.readouterr().out
+    first, second = pd.read_csv(plan.parent / "plan-results.csv")["warnings"].fillna("")
+    assert (first, "below the roughness" in second) == ("", True)
+
+
 def test_a_sweep_of_failures_only_exits_3(plan):
     plan.write_text("[parameters]\nbeta = 1e12\n")
     assert main(["sweep", str(plan), "--workers", "1", "--output", str(plan.parent / "a.parquet")]) == 3

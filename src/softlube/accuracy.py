@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
-
-import numpy as np
 
 from softlube.fields import Fields
 from softlube.meshing import DEEP_BETA, dry_under, like_hertz, over_a_gap, steepness
@@ -145,7 +144,7 @@ def looser(problem: Problem) -> Mapping[str, float]:
     that may vanish, and does not decide.
     """
     factors = LOOSER_DEEP if like_hertz(problem) > COARSE_BETA else LOOSER
-    return factors if dry_under(problem).edge == 1 else {**factors, "boundary_layer": np.inf}
+    return factors if dry_under(problem).edge == 1 else {**factors, "boundary_layer": math.inf}
 
 
 def unresolved(

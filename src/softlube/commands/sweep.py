@@ -87,9 +87,11 @@ def sweep(
             retry_failed=retry_failed,
             progress=show,
         )
-    save_table(result.table, table_path)
+    table = result.table
+    save_table(table, table_path)
     written = result.save_fields(fields) if fields is not None else []
-    _report(result, states[0], table_path, store_path, written)
+    warned = int((table["warnings"].fillna("") != "").sum()) if "warnings" in table else 0
+    _report(result, states[0], warned, table_path, store_path, written)
     return 3 if result.n_failed == len(result.keys) else 0
 
 
@@ -99,7 +101,7 @@ def _say(text: str) -> None:
     Console(stderr=True, highlight=False, soft_wrap=True).print(text, markup=False)
 
 
-def _report(result: Sweep, last: Progress, table: Path, store: Path, written: list[Path]) -> None:
+def _report(result: Sweep, last: Progress, warned: int, table: Path, store: Path, written: list[Path]) -> None:
     from rich.console import Console
 
     console = Console(highlight=False, soft_wrap=True)
@@ -108,10 +110,8 @@ def _report(result: Sweep, last: Progress, table: Path, store: Path, written: li
         f"{last.total - last.found} solved now. {result.n_failed} cases failed.",
         markup=False,
     )
-    found = result.table
-    warned = int((found["warnings"].fillna("") != "").sum()) if "warnings" in found else 0
     if warned:
-        console.print(f"{warned} {'case has' if warned == 1 else 'cases have'} warnings: column warnings of the table.")
+        console.print(f"{warned} {'case has' if warned == 1 else 'cases have'} warnings; see the column warnings of the table.")
     reasons: dict[str, list[int]] = {}
     for number, key in enumerate(result.keys, 1):
         if result.outcomes[key].failed:
