@@ -1,39 +1,57 @@
-"""Marching in β: the same solution as a direct start, and a march that cannot go on says so."""
+"""Letting the film settle in time: the same solution as a direct start, one where there was none, and a plain end."""
 
-import numpy as np
 import pytest
 
-from softlube.continuation import march
+import softlube
+from softlube.continuation import settle
 from softlube.errors import NotConvergedError
-from softlube.grid import PolarGrid
-from softlube.meshing import grid_for
+from softlube.meshing import grid_for, unit_for
 from softlube.newton import newton
 from softlube.problem import Problem
 from softlube.solver import solve_level
+from softlube.substrates import Layer
 from softlube.system import ContactSystem
 
+PROBLEMS = [Problem(beta=900.0), Problem(beta=2.0), Problem(beta_load=900.0), Problem(beta=30.0, height=0)]
 
-@pytest.mark.parametrize("problem", [Problem(beta=900.0), Problem(beta=2.0), Problem(beta_load=900.0)])
-def test_march_ends_at_the_direct_solution(problem):
-    grid = grid_for(problem, 12)
-    states = list(march(problem, grid))
-    system = ContactSystem(problem, grid)
+
+@pytest.mark.parametrize(
+    "problem", [*PROBLEMS, Problem(beta=100.0, cavitation="none"), Problem(beta=100.0, substrate=Layer(0.5))]
+)
+def test_settles_at_the_direct_solution(problem):
+    system = ContactSystem(problem, grid_for(problem, 12), unit_for(problem))
+    states = list(settle(system, system.start()))
     direct = newton(system, system.start())
+    assert direct.converged
     assert all(state.converged for state in states)
-    assert len(states) == 1 + int(np.ceil(abs(np.log(problem.parameter / 30)) / np.log(3)))
-    assert states[-1].x == pytest.approx(direct.x, abs=1e-9)
+    assert states[-1].x == pytest.approx(direct.x, abs=1e-8)
 
 
-UNRESOLVED = Problem(beta=3e5)
-COARSE = PolarGrid(9, 6, layer=0.5)
+THIN = Problem(beta=30.0, substrate=Layer(0.2))
 
 
-def test_a_march_that_cannot_go_on_ends_unconverged():
-    states = list(march(UNRESOLVED, COARSE))
-    assert states[0].converged
-    assert not states[-1].converged
+def test_where_newtons_method_goes_astray():
+    """A layer a ninth of the contact's radius thick."""
+    grid = grid_for(THIN, 18)
+    system = ContactSystem(THIN, grid, unit_for(THIN))
+    assert not newton(system, system.start()).converged
+    assert list(settle(system, system.start()))[-1].converged
+    solution = softlube.solve(beta=30.0, substrate=Layer(0.2))
+    assert solution.film_center.error < 1e-3 * solution.film_center
+    finer = softlube.solve(beta=30.0, substrate=Layer(0.2), accuracy=5e-4)
+    for name in ("film_center", "film_min", "load", "friction_domain"):
+        coarse, fine = solution.quantities[name], finer.quantities[name]
+        assert abs(coarse - fine) <= coarse.error + fine.error
 
 
-def test_such_a_case_is_refused_with_a_diagnosis():
-    with pytest.raises(NotConvergedError, match=r"did not converge at beta = 3e\+05 on 9 x 6 cells: after \d+ steps"):
-        solve_level(UNRESOLVED, COARSE, None)
+def test_a_grid_without_a_solution_is_refused_with_a_diagnosis():
+    problem = Problem(beta=100.0, substrate=Layer(0.2))
+    with pytest.raises(NotConvergedError, match=r"did not converge at beta = 100 on \d+ x 15 cells: after \d+ steps"):
+        solve_level(problem, grid_for(problem, 15), None)
+
+
+def test_and_passed_over_for_a_finer_one():
+    lines = []
+    solution = softlube.solve(beta=100.0, substrate=Layer(0.2), accuracy=0.1, progress=lines.append)
+    assert any("too few: no solution" in line for line in lines)
+    assert solution.film_center == pytest.approx(0.0078797, rel=1e-3)  # on 196 x 71 cells

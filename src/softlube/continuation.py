@@ -1,4 +1,7 @@
-"""Marching in β, or in the liquid's thickening: iterators that yield solved states, each the next one's first guess."""
+"""Ways to a solution that Newton's method does not find at once: in time, or in the liquid's thickening.
+
+Iterators that yield solved states, each the next one's first guess.
+"""
 
 from __future__ import annotations
 
@@ -8,63 +11,66 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from softlube import unsteady
 from softlube.grid import PolarGrid
 from softlube.newton import NewtonResult, newton
 from softlube.problem import Problem
 from softlube.system import ContactSystem
 
-SMALLEST_RATIO = 1.02
+Array = NDArray[np.floating]
+
+FIRST_STEP, SHORTEST_STEP, LONGEST_STEP = 0.1, 1e-4, 300.0
+"""Steps in time over β: to start with, where it is given up, and from where on the state is the steady one.  Liquid takes about
+2β to pass through the contact."""
+LARGE_GROWTH, SMALL_GROWTH, SHORTENING = 3.0, 1.5, 4.0
+"""Of the steps in time, after one that was easy, one that was not, and one that failed."""
+STEP_TOLERANCE, STEP_ITERATIONS, MOST_STEPS = 1e-2, 12, 30
+"""Of Newton's method in a step in time, where only the end counts; and steps at most."""
 FIRST_RISE, SMALLEST_RISE = 2.0, 0.02
-"""Of the largest ln η/η₀ in a dry contact, in one step of the march: to start with, and where it is given up."""
+"""Of the largest ln η/η₀ in a dry contact, in one step: to start with, and where it is given up."""
 STEPS = 25
-"""Newton's at most, in one step of the march; more mean that a shorter march is cheaper."""
+"""Newton's at most, in one step of the thickening; more mean that a shorter step is cheaper."""
 EASY = 6
-"""Newton's steps up to which the march may go on in longer steps."""
+"""Newton's steps up to which the next step may be longer."""
 
 
-def march(
-    problem: Problem, grid: PolarGrid, *, scale: float = 1.0, first: float = 30.0, ratio: float = 3.0
-) -> Iterator[NewtonResult]:
-    """Solve on one grid from β = `first` (or its like under load control) to the problem's own, in geometric steps.
+def settle(system: ContactSystem, start: Array) -> Iterator[NewtonResult]:
+    """Let the film settle in time, from any first guess under which it is positive, in implicit steps that grow.
 
-    For contacts, h₀ < 0, where one unit of height, `scale` times the problem's own, serves all β.
+    What a sphere does that starts to slide.  Where Newton's method goes astray from afar a short enough step of this does not.
 
-    A step that fails is halved (in ln β); the iterator ends, unconverged result last, when the ratio would fall below
-    `SMALLEST_RATIO`.
+    Parameters
+    ----------
+    system : ContactSystem
+        What is solved in the end.
+    start : ndarray
+        The unknowns at the beginning.
 
     Yields
     ------
     NewtonResult
-        One for each β; the last is the problem's own if it has converged.
+        One for each step that was taken; the last is the steady state's, if it has converged.
     """
-    target = np.log(problem.parameter)
-    here = np.log(first)
-    step = np.log(ratio) * np.sign(target - here)
-
-    def attempt(log_beta: float, start: NDArray[np.floating] | None) -> NewtonResult:
-        beta = float(np.exp(log_beta))
-        there = replace(problem, beta_load=beta) if problem.load_controlled else replace(problem, beta=beta)
-        system = ContactSystem(there, grid, scale)
-        return newton(system, system.start() if start is None else start)
-
-    result = attempt(here, None)
-    yield result
-    while result.converged and here != target:
-        there = target if abs(target - here) <= abs(step) else here + step
-        trial = attempt(there, result.x)
-        if trial.converged:
-            here, result = there, trial
-            yield trial
-        elif abs(step) / 2 < np.log(SMALLEST_RATIO):
-            yield trial
-            return
+    mass, state, step = unsteady.mass_matrix(system), start, FIRST_STEP * system.beta
+    film, shortest, longest = system.film(state), SHORTEST_STEP * system.beta, LONGEST_STEP * system.beta
+    for _ in range(MOST_STEPS):
+        equations = unsteady.Step(system, mass, 1 / step, -film / step)
+        with np.errstate(over="ignore", invalid="ignore"):  # of iterates that go astray; a shorter step follows
+            result = newton(equations, state, tolerance=STEP_TOLERANCE, max_iterations=STEP_ITERATIONS)
+        if result.converged:
+            yield result
+            state, film = result.x, system.film(result.x)
+            if step > longest:
+                break
+            step *= LARGE_GROWTH if len(result.history) <= EASY else SMALL_GROWTH
         else:
-            step /= 2
+            step /= SHORTENING
+            if step < shortest:
+                break
+    yield newton(system, state)
 
 
-def thicken(
-    problem: Problem, grid: PolarGrid, start: NDArray[np.floating], rise: float, *, scale: float
-) -> Iterator[NewtonResult]:
+def thicken(problem: Problem, grid: PolarGrid, start: Array, rise: float, *, scale: float) -> Iterator[NewtonResult]:
     """Solve on one grid from constant viscosity to the problem's own liquid, in steps of its pressure dependence.
 
     Parameters

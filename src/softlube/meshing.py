@@ -31,6 +31,9 @@ angular intervals and, with its square, radial spacing, both as a fraction."""
 DEEP_ANGLES = 31 / 26
 """Angular intervals on a layer over the half-space's at least, beyond `DEEP_BETA`, for what the free boundary leaves of the
 film at the sides (`softlube.accuracy`)."""
+STIFFEST_EDGE = 4.6
+"""Rise of the dry pressure at the edge over Hertz's beyond which rings are added in proportion, so that those within the
+contact stay as narrow as the layer is thick."""
 STEEP_BETA = 3e2, 3e4
 """β′ from which on it counts, and beyond which it does in full."""
 COARSEST = 0.43
@@ -167,6 +170,8 @@ def grid_for(problem: Problem, n_theta: int, crest: float = 0.0) -> PolarGrid:
         step = max(step, min(step * (1 + STEEP_STEP * steep**2), COARSEST * n_theta))
     elif not gap and not deep:
         step = RADIAL_STEP_SUCTION
+    if not gap:
+        step *= min(1.0, STIFFEST_EDGE / dry_under(problem).edge)
     return grid.resized(int(np.ceil(grid.xi_of(grid.reach * edge) * n_theta / step)), n_theta)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
 from softlube.accuracy import COARSE_BETA, estimate_errors, floors_for, looser, spike_bound, unresolved, withheld
-from softlube.continuation import march, thicken
+from softlube.continuation import settle, thicken
 from softlube.crest import in_other_unit, spike_quantities
 from softlube.errors import InputError, NotConvergedError
 from softlube.fields import Fields
@@ -145,10 +145,9 @@ def _other_unit(problem: Problem, fields: Fields) -> float:
 
 
 def _second_attempt(problem: Problem, grid: PolarGrid, history: list[Iteration]) -> Array:
-    """March in β where the direct start failed."""
-    result = None
-    pressed = dry_under(problem).radius ** 2
-    for result in march(problem, grid, scale=pressed) if unit_for(problem) == pressed else ():
+    """Let the film settle in time where the direct start failed."""
+    system, result = ContactSystem(problem, grid, unit_for(problem)), None
+    for result in settle(system, system.start(first_height(problem) / system.scale)):
         history += result.history
     if result is None or not result.converged:
         raise _not_converged(problem, grid, history)
@@ -165,17 +164,29 @@ def _not_converged(problem: Problem, grid: PolarGrid, history: Sequence[Iteratio
     )
 
 
-def climb(problem: Problem) -> Iterator[Solved]:
-    """Solve on ever finer grids, each starting from the one before."""
-    start, coarse, crest = None, None, 0.0
+def climb(problem: Problem, progress: Callable[[str], None] | None = None) -> Iterator[Solved]:
+    """Solve on ever finer grids, each starting from the one before.
+
+    A grid may be too coarse to have a solution at all, where the film is thinnest in a short strip at a thin layer's sides; so
+    the finer ones are tried, too.
+    """
+    before, crest = None, 0.0
     # Twelve intervals cannot hold the layers of a very large β together.
-    for n_theta in LADDER[1:] if like_hertz(problem) > COARSE_BETA else LADDER:
+    ladder = LADDER[1:] if like_hertz(problem) > COARSE_BETA else LADDER
+    for n_theta in ladder:
         grid = grid_for(problem, angles_for(problem, n_theta), crest)
-        if start is not None and coarse is not None:
-            start = prolong(start, coarse, grid, problem)
-        solved = solve_level(problem, grid, start)
+        try:
+            solved = solve_level(problem, grid, None if before is None else prolong(before.x, before.grid, grid, problem))
+        except NotConvergedError:
+            if n_theta == ladder[-1]:
+                raise
+            if progress is not None:
+                progress(f"{grid.n_r} x {grid.n_theta} cells are too few: no solution found on them")
+            continue
+        if progress is not None:
+            progress(f"{grid.n_r} x {grid.n_theta} cells solved in {solved.level.seconds:.2f} s")
         yield solved
-        start, coarse = solved.x, grid
+        before = solved
         if n_theta >= FIRST_ANGLES:  # the coarsest that sees where it will stand
             crest = crest_of(problem, solved.fields, crest)
 
@@ -268,10 +279,8 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
     _check_range(problem)
     solved: list[Solved] = []
     worst: dict[str, float] = {}
-    for rung in climb(problem):
+    for rung in climb(problem, progress):
         solved.append(rung)
-        if progress is not None:
-            progress(f"{rung.grid.n_r} x {rung.grid.n_theta} cells solved in {rung.level.seconds:.2f} s")
         if len(solved) < 2:
             continue
         slow = spike_bound(rung.fields)

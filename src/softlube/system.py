@@ -30,6 +30,8 @@ FILM_KEPT = 0.5
 LARGEST_THINNING = 3.0
 """A step may lower ln η by this much at most, anywhere.  Newton's method takes q for linear in the pressure, and where the
 fluidity is 10⁻¹⁰ that says that nothing flows however far the pressure falls."""
+LEAST_LIFT, LIFTS = 0.25, 20
+"""What the first guess leaves of the film that it is meant to have, anywhere, and attempts at it."""
 
 
 @lru_cache(maxsize=8)
@@ -138,7 +140,8 @@ class ContactSystem:
         -----
         Dry contacts of radii spread over the boundary layer, under which the film is positive everywhere.  The superposition
         is smooth at the scale β^(−2/5) of the layer, and so much deeper that the film at the centre is β^(−3/5), as in the
-        Hertz limit.  Far outside the far field is added, so that the free boundary starts where it ends.  High over the
+        Hertz limit; or deeper, until the film is positive on this grid (the displacement of a thin layer is a small difference
+        of large ones).  Far outside the far field is added, so that the free boundary starts where it ends.  High over the
         surface, h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
         """
         height = -dry_contact(self.material).indentation if height is None else height
@@ -152,8 +155,17 @@ class ContactSystem:
             dry = dry_contact(self.material)
             beta = max(dry.like_hertz(self.beta), 1.0)
             layer = min(0.5, 1.5 * beta**-0.4)
-            contact = smeared_contact(self.material, dry.indentation + dry.edge * beta**-0.6, layer)(r)
-            pressure = contact + self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
+            lift = wanted = dry.edge * beta**-0.6
+            outside = self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
+            for _ in range(LIFTS):
+                pressure = smeared_contact(self.material, dry.indentation + lift, layer)(r) + outside
+                lowest = float(np.min(self.film(self._unknowns(pressure, height))))
+                if lowest > LEAST_LIFT * wanted:
+                    break
+                lift += max(LEAST_LIFT * wanted - lowest, LEAST_LIFT * wanted)
+        return self._unknowns(pressure, height)
+
+    def _unknowns(self, pressure: Array, height: float) -> Array:
         return np.append(pressure.ravel(), height) if self.problem.load_controlled else pressure.ravel()
 
 

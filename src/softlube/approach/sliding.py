@@ -15,12 +15,10 @@ import math
 from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
 from softlube.approach.integrate import integrate
 from softlube.approach.motion import REACH, Motion
@@ -34,8 +32,8 @@ from softlube.meshing import angles_for, grid_for, unit_for
 from softlube.newton import newton
 from softlube.problem import Cavitation, Problem
 from softlube.quantities import measure
-from softlube.reynolds import Sparse
-from softlube.system import ContactSystem, LinearisedContact
+from softlube.system import ContactSystem
+from softlube.unsteady import Step, mass_matrix
 
 Array = NDArray[np.floating]
 
@@ -50,23 +48,6 @@ NEWTON_TOLERANCE = 1e-2
 """Of Newton's method in a step, over the tolerance of the step."""
 LIMIT_MET = 0.1
 """Relative distance from the film limit that counts as met, over the tolerance of a step."""
-
-
-def mass_matrix(system: ContactSystem) -> Sparse:
-    """What ∂u/∂t on all nodes adds to the balances of the cells, shape (n_unknown, n).
-
-    The balance is taken per unit of ξ and s.  In the innermost ring it leaves out 1/12 of the mean flux through the ring's
-    edge (see `softlube.reynolds`), so the same share of what that flux fills is left out here.
-    """
-    grid = system.grid
-    n, n_angles = grid.n_unknown, grid.shape[1]
-    r = grid.r[: grid.n_r]
-    metric = np.outer(r * grid.dr_dxi(r), grid.dtheta_ds(grid.s))
-    mean = np.full(n_angles, 1 / grid.n_theta)
-    mean[[0, -1]] /= 2
-    first = np.diag(metric[0]) - np.outer(np.ones(n_angles), mean * metric[0]) / 12
-    inner = sparse.block_diag([first, sparse.diags_array(metric[1:].ravel())])
-    return Sparse(sparse.hstack([inner, sparse.csr_array((n, grid.r.size * n_angles - n))]))
 
 
 def deepest_problem(beta: float, motion: Motion, cavitation: str) -> tuple[Problem, float]:
@@ -117,38 +98,6 @@ def at_instant(system: ContactSystem, prescribed: float, speed: float, height: f
     beyond = np.pi * speed / (2 * (height + grid.r[-1] ** 2 / 2))
     other.load_offset = system.load_offset + np.array([1, 0]) * (taylor @ system.substrate.load_weights[rim] + beyond)
     return other
-
-
-@dataclass(frozen=True)
-class LinearisedStep(LinearisedContact):
-    """Residual and Jacobian of one implicit step, (∂u/∂t)ₙ₊₁ = weight uₙ₊₁ + known; see `softlube.newton.Linearised`."""
-
-    mass: Sparse
-    weight: float
-    known: Array
-
-    @cached_property
-    def residual(self) -> Array:
-        """Reynolds residual with the film's rate, then the load's defect under load control."""
-        growth = self.mass @ (self.weight * self.film + self.known)
-        return super().residual + (np.append(growth, 0.0) if self.system.problem.load_controlled else growth)
-
-    @cached_property
-    def _derivatives(self) -> tuple[Sparse, Sparse]:
-        by_pressure, by_film = super()._derivatives
-        return by_pressure, Sparse(by_film + self.weight * self.mass)
-
-
-class Step:
-    """One implicit step as a `softlube.newton.System`; see `LinearisedStep`."""
-
-    def __init__(self, system: ContactSystem, mass: Sparse, weight: float, known: Array) -> None:
-        self.system, self.mass, self.weight, self.known = system, mass, weight, known
-        self.constrained = system.constrained
-
-    def linearise(self, x: Array) -> LinearisedStep:
-        """Residual and Jacobian at x."""
-        return LinearisedStep(self.system, x, self.mass, self.weight, self.known)
 
 
 @dataclass(frozen=True)
