@@ -1,5 +1,6 @@
 """Letting the film settle in time: the same solution as a direct start, one where there was none, and a plain end."""
 
+import numpy as np
 import pytest
 
 import softlube
@@ -50,8 +51,21 @@ def test_a_grid_without_a_solution_is_refused_with_a_diagnosis():
         solve_level(problem, grid_for(problem, 15), None)
 
 
-def test_and_passed_over_for_a_finer_one():
+def test_a_minimum_film_at_a_front():
+    solution = softlube.solve(beta=50.0, substrate=Layer(0.2))
+    assert solution.film_center == pytest.approx(0.0112645, rel=2e-4)
+    assert abs(solution.film_min - 0.007386) < solution.film_min.error < 0.05 * solution.film_min  # on 310 x 124 cells
+    (said,) = solution.warnings
+    assert "film_min is known to" in said
+
+
+@pytest.mark.slow
+def test_a_front_that_no_grid_resolves():
     lines = []
-    solution = softlube.solve(beta=100.0, substrate=Layer(0.2), accuracy=0.1, progress=lines.append)
-    assert any("too few: no solution" in line for line in lines)
-    assert solution.film_center == pytest.approx(0.0078797, rel=1e-3)  # on 196 x 71 cells
+    solution = softlube.solve(beta=100.0, substrate=Layer(0.2), progress=lines.append)
+    assert "too few: no solution" in lines[0]  # and the next grid is taken
+    assert solution.film_center == pytest.approx(0.0078797, rel=1e-4)  # the same on 336 x 124 cells
+    assert np.isnan(solution.film_min)
+    assert np.isnan(solution.film_min_radius)
+    (said,) = solution.warnings
+    assert "film_min is not given" in said

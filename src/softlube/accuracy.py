@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from softlube.fields import Fields
 from softlube.meshing import DEEP_BETA, dry_under, like_hertz, over_a_gap, steepness
@@ -63,6 +63,15 @@ SUCTION = {"film_min": 1.0, "shear_rate_max": 3.5}
 """The same without the Reynolds condition, where it differs: the largest shear lies in the suction behind the contact."""
 LEFT, LEFT_BEFORE = 0.6, 0.05
 """Error over the last change, and over the one before it, which counts where the last is small by chance."""
+FRONT_EDGE, OUTLET = 6.0, 150.0
+"""Rise of a layer's dry pressure at the edge over Hertz's beyond which the constriction at the sides may end in a front, and
+the angle in degrees beyond which the film is not thinnest there but on the outlet axis."""
+ERRATIC, ERRATIC_BEFORE = 1.5, 0.3
+"""The same as `LEFT` and `LEFT_BEFORE`, of what such a front decides, which lies anywhere between the nodes."""
+FRONT = (
+    "the layer is so thin that its film at the sides is thinnest at a front a degree wide, which the grids hardly resolve: "
+    "{}. Every other quantity is as accurate as asked"
+)
 COARSE_BETA = 3e6
 """β up to which the coarsest grid is of use."""
 
@@ -101,6 +110,7 @@ def estimate_errors(
     floors: Mapping[str, float] = FREE_BOUNDARY,
     exact: str = "",
     slow: Mapping[str, float] | None = None,
+    erratic: Collection[str] = (),
 ) -> dict[str, float]:
     """Error of the finest grid's quantities, from how they changed over the grids.
 
@@ -120,6 +130,8 @@ def estimate_errors(
         A quantity that is prescribed.
     slow : mapping of str to float, optional
         Quantities that converge like the spacing only, with the least relative error of each; see `spike_bound`.
+    erratic : collection of str
+        Quantities that come nearer in jumps; see `front_bound`.
 
     Returns
     -------
@@ -133,6 +145,8 @@ def estimate_errors(
         changes = max(LEFT * last, LEFT_BEFORE * abs(before[name] - levels[-3][name])) if len(levels) > 2 else last
         if slow and name in slow:
             changes = max(changes * LEFT_OF_FIRST_ORDER / LEFT, slow[name] * yardstick(name, finest))
+        if name in erratic:
+            changes = max(ERRATIC * last, ERRATIC_BEFORE * abs(before[name] - levels[-3][name]) if len(levels) > 2 else 0.0)
         estimates[name] = 0.0 if name == exact else max(changes, yardstick(name, finest) * floors[name] / n_theta**2)
     return estimates
 
@@ -170,8 +184,31 @@ def spike_bound(fields: Fields) -> dict[str, float]:
     return dict.fromkeys(SPIKE_BOUND, 0.0) | {"pressure_max": ridge_error(fall_from_top(fields))}
 
 
-def withheld(fields: Fields, values: Mapping[str, float], errors: Mapping[str, float]) -> tuple[str, ...]:
+def front_bound(problem: Problem, values: Mapping[str, float]) -> tuple[str, ...]:
+    """Quantities that the front decides in which the constriction at a very thin layer's sides ends (docs/layers.md)."""
+    at_the_sides = values["film_min_angle_deg"] < OUTLET
+    return ("film_min", "shear_rate_max") if at_the_sides and dry_under(problem).edge > FRONT_EDGE else ()
+
+
+def too_vague(names: Iterable[str], values: Mapping[str, float], errors: Mapping[str, float]) -> tuple[str, ...]:
+    """Those quantities whose error is too large for them to be given."""
+    return tuple(name for name in names if not errors[name] <= LARGEST_SPIKE_ERROR * yardstick(name, values))
+
+
+def withheld(problem: Problem, fields: Fields, values: Mapping[str, float], errors: Mapping[str, float]) -> tuple[str, ...]:
     """Those of them that these grids do not give: where the spike is a needle to them, or the error is large."""
-    if is_needle(fields):
-        return SPIKE_BOUND
-    return tuple(name for name in spike_bound(fields) if not errors[name] <= LARGEST_SPIKE_ERROR * yardstick(name, values))
+    vague = too_vague(front_bound(problem, values), values, errors)
+    if "film_min" in vague:
+        vague += REPORTED_ONLY  # where it lies
+    return (SPIKE_BOUND if is_needle(fields) else too_vague(spike_bound(fields), values, errors)) + vague
+
+
+def front_doubts(
+    problem: Problem, values: Mapping[str, float], errors: Mapping[str, float], accuracy: float
+) -> tuple[str, ...]:
+    """What is said of quantities that a front decides and that are not as accurate as asked."""
+    of_front = {name: errors[name] for name in front_bound(problem, values)}
+    left = unresolved(values, of_front, accuracy, looser(problem))
+    vague = too_vague(of_front, values, errors)
+    told = [f"{name} is {'not given' if name in vague else f'known to {error:.1%}'}" for name, error in left.items()]
+    return (FRONT.format(", ".join(told)),) if told else ()

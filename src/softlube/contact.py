@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from softlube.errors import InputError
 from softlube.fluids import Fluid
 from softlube.materials import (
@@ -287,7 +289,8 @@ class Contact(Materials):
                 f"the {'pressure reaches' if lifted else 'contact radius is'} {radius / self.radius:.2g} R: beyond "
                 f"{LARGEST_SLOPE} R linear elasticity and the parabolic sphere are in doubt"
             )
-        film = float(dimensional["film_min"])
+        # The minimum may be missing, where it is much below the outlet's.
+        film = float(np.nanmin([dimensional["film_min"], dimensional["film_outlet_min"]]))
         if self.roughness is not None and film < self.roughness:
             doubts.append(
                 f"the minimum film, {film:.2g} m, is below the roughness, {self.roughness:.2g} m: the surfaces may touch"
@@ -316,7 +319,8 @@ class Contact(Materials):
             names = {"film_center": "film at the centre", "film_min": "minimum film", "friction_domain": "friction"}
             for name, text in names.items():
                 ours, theirs = dimensional[name], thick[name]
-                changes[text] = ours / theirs - 1, ours.error / abs(ours) + theirs.error / abs(theirs)
+                if np.isfinite(ours):
+                    changes[text] = ours / theirs - 1, ours.error / abs(ours) + theirs.error / abs(theirs)
         return layer_doubt(dry, substrate, changes)
 
     def inputs(self) -> dict[str, float | str | None]:

@@ -10,7 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
-from softlube.accuracy import COARSE_BETA, estimate_errors, floors_for, looser, spike_bound, unresolved, withheld
+from softlube.accuracy import (
+    COARSE_BETA,
+    estimate_errors,
+    floors_for,
+    front_bound,
+    front_doubts,
+    looser,
+    spike_bound,
+    too_vague,
+    unresolved,
+    withheld,
+)
 from softlube.continuation import settle, thicken
 from softlube.crest import in_other_unit, spike_quantities
 from softlube.errors import InputError, NotConvergedError
@@ -283,13 +294,19 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], N
         solved.append(rung)
         if len(solved) < 2:
             continue
-        slow = spike_bound(rung.fields)
+        values, errors = rung.level.values, _errors(problem, solved)
+        front = front_bound(problem, values)
+        slow = (*spike_bound(rung.fields), *front)
         if slow and rung.grid.n_theta < SPIKE_ANGLES:
             continue
-        known = {name: error for name, error in _errors(problem, solved).items() if name not in slow}
-        worst = unresolved(rung.level.values, known, accuracy, looser(problem))
-        if not worst:
-            return solution_of(problem, solved, accuracy, progress)
+        known = {name: error for name, error in errors.items() if name not in slow}
+        worst = unresolved(values, known, accuracy, looser(problem))
+        if not worst and not too_vague(front, values, errors):
+            break
+    if len(solved) < 2:
+        raise NotConvergedError("only the finest grid has a solution, and nothing tells its error; report the input.")
+    if not worst:
+        return solution_of(problem, solved, accuracy, progress)
     reached = ", ".join(f"{name} {value:.1e}" for name, value in sorted(worst.items(), key=lambda item: -item[1])[:3])
     enough = 2 * max(value / looser(problem).get(name, 1) for name, value in worst.items())
     raise NotConvergedError(
@@ -316,7 +333,8 @@ def _check_range(problem: Problem) -> None:
 def _errors(problem: Problem, solved: Sequence[Solved]) -> dict[str, float]:
     exact = "load" if problem.load_controlled else "height"
     values, finest = [rung.level.values for rung in solved], solved[-1]
-    return estimate_errors(values, finest.grid.n_theta, floors_for(problem), exact, spike_bound(finest.fields))
+    erratic = front_bound(problem, values[-1])
+    return estimate_errors(values, finest.grid.n_theta, floors_for(problem), exact, spike_bound(finest.fields), erratic)
 
 
 def normalised_otherwise(problem: Problem, levels: Sequence[Level], own: Mapping[str, Quantity]) -> dict[str, Quantity]:
@@ -332,8 +350,9 @@ def normalised_otherwise(problem: Problem, levels: Sequence[Level], own: Mapping
     edge = contact_edge(Problem(beta=1.0 if by_load else None, beta_load=None if by_load else 1.0, substrate=substrate))
     histories = [measure(each.in_units(unit), edge) for each, unit in zip(fields, units, strict=True)]
     exact = "height" if problem.load_controlled else "load"
-    errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact, spike_bound(fields[-1]))
-    missing = withheld(fields[-1], histories[-1], errors)
+    erratic = front_bound(problem, histories[-1])
+    errors = estimate_errors(histories, levels[-1].n_theta, floors_for(problem), exact, spike_bound(fields[-1]), erratic)
+    missing = withheld(problem, fields[-1], histories[-1], errors)
     found = _quantities(histories[-1], errors, missing)
     if not missing and "spike_radius" not in own:
         return found
@@ -358,7 +377,8 @@ def solution_of(
     finest = solved[-1]
     fields = finest.fields
     errors = _errors(problem, solved)
-    quantities = _quantities(finest.level.values, errors, withheld(fields, finest.level.values, errors))
+    values = finest.level.values
+    quantities = _quantities(values, errors, withheld(problem, fields, values, errors))
     if finest.grid.crest:
         quantities |= spike_quantities(problem, [rung.fields for rung in solved], quantities, progress)
     # Eq. (29): the load N̄ has the Hertz indentation δ = |h₀| (N̄/(4/3π))^(2/3), and β_load goes with δ².
@@ -370,5 +390,5 @@ def solution_of(
         beta_load=fields.beta * max(fields.load / HERTZ_LOAD, 0.0) ** (4 / 3),
         accuracy=accuracy,
         levels=rungs(solved),
-        warnings=doubts(fields, quantities),
+        warnings=doubts(fields, quantities) + front_doubts(problem, values, errors, accuracy),
     )
