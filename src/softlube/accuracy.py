@@ -184,10 +184,15 @@ def spike_bound(fields: Fields) -> dict[str, float]:
     return dict.fromkeys(SPIKE_BOUND, 0.0) | {"pressure_max": ridge_error(fall_from_top(fields))}
 
 
+def has_front(problem: Problem) -> bool:
+    """Whether the constriction at the sides may end in a front."""
+    return dry_under(problem).edge > FRONT_EDGE
+
+
 def front_bound(problem: Problem, values: Mapping[str, float]) -> tuple[str, ...]:
     """Quantities that the front decides in which the constriction at a very thin layer's sides ends (docs/layers.md)."""
     at_the_sides = values["film_min_angle_deg"] < OUTLET
-    return ("film_min", "shear_rate_max") if at_the_sides and dry_under(problem).edge > FRONT_EDGE else ()
+    return ("film_min", "shear_rate_max") if at_the_sides and has_front(problem) else ()
 
 
 def too_vague(names: Iterable[str], values: Mapping[str, float], errors: Mapping[str, float]) -> tuple[str, ...]:

@@ -16,6 +16,7 @@ from softlube.accuracy import (
     floors_for,
     front_bound,
     front_doubts,
+    has_front,
     looser,
     spike_bound,
     too_vague,
@@ -60,6 +61,9 @@ SPIKE_ANGLES = 39
 """What a spike is resolved with, or by no grid of the ladder."""
 COARSE_TOLERANCE, FINE_TOLERANCE = 1e-4, 1e-6
 """Of Newton's method: on grids of so many angles, which mostly start the next ones, and on those that give numbers."""
+NO_FRONT = "On so thin a layer a front at the sides is too sharp for these grids; other beta are solved (docs/layers.md)."
+LARGEST_PASSED_OVER = 3000
+"""Unknowns of a grid without a solution beyond which finer ones are not tried: each would take minutes to have none either."""
 STEPS, STEEP_STEPS = 40, 90
 """Newton's at most on one grid, without and with a spike that must first move to where its nodes are; a march takes more."""
 FINEST_ACCURACY = 1.4e-4
@@ -171,7 +175,8 @@ def _not_converged(problem: Problem, grid: PolarGrid, history: Sequence[Iteratio
     return NotConvergedError(
         f"Newton's method did not converge at {name} = {problem.parameter:.4g} "
         f"on {grid.n_r} x {grid.n_theta} cells: after {len(history)} steps the last was {last.step:.1e} "
-        f"(fraction {last.fraction:.2g}). Try another accuracy (it changes the grid), or report the input."
+        f"(fraction {last.fraction:.2g}). "
+        + (NO_FRONT if has_front(problem) else "Try another accuracy (it changes the grid), or report the input.")
     )
 
 
@@ -189,7 +194,7 @@ def climb(problem: Problem, progress: Callable[[str], None] | None = None) -> It
         try:
             solved = solve_level(problem, grid, None if before is None else prolong(before.x, before.grid, grid, problem))
         except NotConvergedError:
-            if n_theta == ladder[-1]:
+            if grid.n_unknown > LARGEST_PASSED_OVER:
                 raise
             if progress is not None:
                 progress(f"{grid.n_r} x {grid.n_theta} cells are too few: no solution found on them")
