@@ -1,5 +1,7 @@
 """Pictures: the right data on labelled axes, in every format."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -16,6 +18,14 @@ def test_profiles_show_the_solution(solution):
     assert np.min(film) == pytest.approx(solution.film_outlet_min, rel=2e-3)
     # the outlet, where the film is thinner, is on the left
     assert x[np.argmin(film)] < 0
+
+
+def test_the_film_is_drawn_where_its_minimum_is_not_given(solution):
+    missing = dict.fromkeys(("film_min", "film_min_radius", "film_min_angle_deg"), softlube.Quantity(np.nan))
+    without = replace(solution, quantities={**solution.quantities, **missing})
+    drawn, wanted = (plot(each).axes[0].collections[0].levels for each in (without, solution))
+    assert drawn[0] <= solution.fields.film.min()
+    assert drawn[-1] == pytest.approx(wanted[-1], rel=0.1)
 
 
 def test_axes_carry_units(physical, solution):

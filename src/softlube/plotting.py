@@ -140,7 +140,8 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
         values = fields.film_at(r, theta) * film
         # The film outside the contact is tens of times that inside, where the interest lies.
         high = 1.8 * float(solution.quantities["film_center"]) * film
-        levels = MaxNLocator(24).tick_values(float(solution.quantities["film_min"]) * film, high)
+        low = float(np.nanmin([solution.quantities["film_min"], fields.film.min()])) * film  # the first may not be given
+        levels = MaxNLocator(24).tick_values(low, high)
         mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap="viridis", extend="max")
         label = film_label
         r_min, angle = (
