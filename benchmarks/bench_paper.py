@@ -14,10 +14,10 @@ from collections.abc import Callable
 
 import softlube
 from softlube.errors import NotConvergedError
-from softlube.paper import solve_cartesian, solve_relaxation
-from softlube.paper.cartesian import CartesianMesh, CartesianScheme
-from softlube.problem import Problem
-from softlube.solution import Solution
+from softlube.model.problem import Problem
+from softlube.paper.method import solve_cartesian, solve_relaxation
+from softlube.paper.method.cartesian import CartesianMesh, CartesianScheme
+from softlube.steady.solution import Solution
 
 SHOWN = ("film_center", "film_min", "load", "friction_domain", "pressure_gradient_inlet")
 REFERENCE_ACCURACY = 3e-4

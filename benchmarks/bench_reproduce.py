@@ -18,7 +18,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--processes", type=int, default=2)
     options = parser.parse_args()
-    code = "import sys; from softlube.cli import main; sys.exit(main())"
+    code = "import sys; from softlube.cli.main import main; sys.exit(main())"
     with tempfile.TemporaryDirectory() as folder:
         began = time.perf_counter()
         command = [sys.executable, "-c", code, "reproduce", folder, "--processes", str(options.processes)]

@@ -40,7 +40,7 @@ COMMAND = [
 def warm(beta: float, repeats: int) -> tuple[float, float, int]:
     """Seconds of processor time of a first and of a warm solve, and unknowns of the finest grid."""
     import softlube
-    from softlube.system import forget_operators
+    from softlube.discretization.system import forget_operators
 
     softlube.solve(beta=50)  # imports
     forget_operators()
@@ -73,11 +73,11 @@ def cold(repeats: int) -> tuple[float, float]:
 
 def cost(beta: float) -> tuple[list[tuple[int, float, float]], float, float]:
     """Unknowns and seconds of processor time, for the operators and for Newton's method, grid by grid; their exponents."""
-    from softlube.meshing import grid_for, unit_for
-    from softlube.newton import newton
-    from softlube.problem import Problem
-    from softlube.solver import LADDER, prolong
-    from softlube.system import ContactSystem, forget_operators
+    from softlube.discretization.system import ContactSystem, forget_operators
+    from softlube.model.problem import Problem
+    from softlube.solvers.newton import newton
+    from softlube.steady.ladder import LADDER, prolong
+    from softlube.steady.mesh import grid_for, unit_for
 
     problem, rows, x, coarse = Problem(beta=beta), [], None, None
     forget_operators()
@@ -100,7 +100,7 @@ def layers(beta: float, repeats: int) -> tuple[dict[float, float], dict[float, f
     """Median processor time on layers over the half-space's, warm and anew, and the half-space's own in seconds."""
     import softlube
     from softlube import dry, substrates
-    from softlube.system import forget_operators
+    from softlube.discretization.system import forget_operators
 
     cases = {np.inf: {}} | {t: {"substrate": substrates.Layer(t)} for t in THICKNESSES}
     caches = (dry.dry_contact, dry.dry_contact_at, substrates._remainder_table, substrates._spectrum)

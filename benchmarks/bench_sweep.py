@@ -21,7 +21,7 @@ import tempfile
 import time
 from pathlib import Path
 
-COMMAND = [sys.executable, "-c", "from softlube.cli import main; raise SystemExit(main())", "sweep"]
+COMMAND = [sys.executable, "-c", "from softlube.cli.main import main; raise SystemExit(main())", "sweep"]
 PLAN = """
 [parameters]
 radius = "2 mm"

@@ -4,8 +4,8 @@
 
 β from 10⁻⁴ to 10⁸, loads and indentations, both cavitation settings; or layers, β from 10 to 10⁴.  Prints, for each quantity,
 the median and the largest
-true error of the default solution (in terms of `softlube.accuracy.yardstick`), how many of the true errors lie below their
-estimates (coverage), and how much larger than the true error the estimate is (median ratio).  Ten seconds a case.
+true error of the default solution (in terms of `softlube.steady.error_estimate.yardstick`), how many of the true errors lie
+below their estimates (coverage), and how much larger than the true error the estimate is (median ratio).  Ten seconds a case.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
 from fine_grid import reference
 
-from softlube.accuracy import yardstick
-from softlube.problem import Problem
-from softlube.quantities import DESCRIPTION
-from softlube.solver import solve_problem
-from softlube.substrates import Layer
+from softlube.discretization.measure import DESCRIPTION
+from softlube.model.problem import Problem
+from softlube.model.substrates import Layer
+from softlube.steady.error_estimate import yardstick
+from softlube.steady.ladder import solve_problem
 
 
 def random_layer(rng: np.random.Generator) -> Problem:

@@ -3,7 +3,7 @@
     python benchmarks/convergence_table.py
 
 The values are those of tests/verification/reference.json (made by benchmarks/fine_grid.py); errors are in units of 10⁻⁵, in
-terms of `softlube.accuracy.yardstick`.  Two minutes.
+terms of `softlube.steady.error_estimate.yardstick`.  Two minutes.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from softlube.accuracy import yardstick
-from softlube.problem import Problem
-from softlube.solver import climb
-from softlube.system import forget_operators
+from softlube.discretization.system import forget_operators
+from softlube.model.problem import Problem
+from softlube.steady.error_estimate import yardstick
+from softlube.steady.ladder import climb
 
 REFERENCE = Path(__file__).parent.parent / "tests" / "verification" / "reference.json"
 FINEST = 39

@@ -15,10 +15,10 @@ from pathlib import Path
 
 import numpy as np
 
-from softlube.meshing import grid_for
-from softlube.problem import Problem
-from softlube.solver import prolong, solve_level
-from softlube.system import forget_operators
+from softlube.discretization.system import forget_operators
+from softlube.model.problem import Problem
+from softlube.steady.ladder import prolong, solve_level
+from softlube.steady.mesh import grid_for
 
 CASES = [
     *(Problem(beta_load=beta) for beta in (1e-3, 0.1, 1.0, 3.0, 4.5, 10.0)),

@@ -8,12 +8,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import softlube
-from softlube.approach.motion import constant_load
-from softlube.approach.sliding import start_sliding
-from softlube.fluids import Barus, Newtonian
-from softlube.limits import HERTZ_LOAD
-from softlube.quantities import measure
-from softlube.substrates import HalfSpace, Layer
+from softlube.discretization.measure import measure
+from softlube.model.exact import HERTZ_LOAD
+from softlube.model.liquids import Barus, Newtonian
+from softlube.model.substrates import HalfSpace, Layer
+from softlube.transient.motion import constant_load
+from softlube.transient.sliding.integrate import start_sliding
 
 CASES = [
     (1.0, HalfSpace(), Newtonian()),

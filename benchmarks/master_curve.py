@@ -21,10 +21,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 
-from softlube.problem import Problem
-from softlube.quantities import DESCRIPTION
-from softlube.solver import climb, solution_of
-from softlube.system import forget_operators
+from softlube.discretization.measure import DESCRIPTION
+from softlube.discretization.system import forget_operators
+from softlube.model.problem import Problem
+from softlube.steady.ladder import climb, solution_of
 
 PER_DECADE = 8
 FINEST = 39

@@ -23,7 +23,7 @@ import numpy as np
 
 import softlube
 from softlube import curve
-from softlube.quantities import measure
+from softlube.discretization.measure import measure
 
 CHECKED = ("film_center", "film_min", "film_inlet", "friction_domain", "pressure_max", "pressure_gradient_inlet")
 TOLERANCE = 0.005

@@ -14,12 +14,12 @@ from __future__ import annotations
 import argparse
 
 import softlube
-from softlube.closeup import ANGLES, WIDTHS, close_ups
-from softlube.crest import DISCS, readings
-from softlube.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film
-from softlube.fluids import Barus, DowsonHigginson, Fluid, Roelands
-from softlube.limits import HERTZ_PRESSURE
-from softlube.quantities import poiseuille_within
+from softlube.discretization.measure import poiseuille_within
+from softlube.model.exact import HERTZ_PRESSURE
+from softlube.model.liquids import Barus, DowsonHigginson, Fluid, Roelands
+from softlube.steady.spike.closeup import ANGLES, WIDTHS, close_ups
+from softlube.steady.spike.crest import DISCS, readings
+from softlube.theory.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film
 
 COEFFICIENT, VISCOSITY = 20e-9, 0.05
 """α [1/Pa] and η₀ [Pa s]."""

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from softlube import Measurements, fit
-from softlube.friction_model import PAPER_FIT, make_model
+from softlube.experiments.friction_model import PAPER_FIT, make_model
 
 RADIUS, YOUNG_MODULUS, VISCOSITY, THICKNESS = 2e-3, 3e6, 2.0, 2e-3
 LOAD, SPEED = (grid.ravel() for grid in np.meshgrid(np.geomspace(18.6e-3, 238.1e-3, 6), np.geomspace(2.5e-5, 1e-3, 12)))

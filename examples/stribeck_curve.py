@@ -5,7 +5,7 @@ Friction coefficient and film of a rig against its speed, for three loads, and w
 """
 
 import softlube
-from softlube.plotting_curves import plot_stribeck
+from softlube.plots.experiments import plot_stribeck
 
 rig = softlube.Rig(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s")
 table = softlube.stribeck_curve(

@@ -15,7 +15,7 @@ import sys
 import numpy as np
 
 from softlube import Measurements
-from softlube.friction_model import Model, make_model
+from softlube.experiments.friction_model import Model, make_model
 
 VISCOSITY = 2.0
 YOUNG_MODULUS = 3e6

@@ -13,41 +13,60 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from softlube.approach.physical import squeeze
-    from softlube.approach.result import Squeeze
-    from softlube.contact import Contact
     from softlube.errors import InputError, NotConvergedError, SoftlubeError
-    from softlube.experiments import fit
-    from softlube.io import load
-    from softlube.measurements import Measurements, read_measurements
-    from softlube.problem import Problem
-    from softlube.rig import Rig
-    from softlube.solution import Quantity, Solution
-    from softlube.solver import solve
-    from softlube.stribeck import stribeck_curve
+    from softlube.experiments.fit import fit
+    from softlube.experiments.measurements import Measurements, read_measurements
+    from softlube.experiments.stribeck import stribeck_curve
+    from softlube.files.netcdf import load
+    from softlube.model import dry, liquids, substrates
+    from softlube.model.problem import Problem
+    from softlube.model.quantities import Quantity
+    from softlube.physical.contact import Contact
+    from softlube.physical.rig import Rig
+    from softlube.physical.squeeze import squeeze
+    from softlube.readout import flow, free_boundary, friction
+    from softlube.steady.ladder import solve
+    from softlube.steady.solution import Solution
     from softlube.sweeps import sweep
+    from softlube.theory import engineering, inlet, limits, scaling, side
+    from softlube.theory import master_curve as curve
+    from softlube.transient.squeeze.result import Squeeze
 
 __version__ = "0.2.0.dev0"
 
 # Names are imported when first used: the command line answers --help without NumPy.
-_HOME = {
-    "Contact": "contact",
+_NAMES = {
+    "Contact": "physical.contact",
     "InputError": "errors",
-    "Measurements": "measurements",
+    "Measurements": "experiments.measurements",
     "NotConvergedError": "errors",
-    "Problem": "problem",
-    "Quantity": "solution",
+    "Problem": "model.problem",
+    "Quantity": "model.quantities",
+    "Rig": "physical.rig",
     "SoftlubeError": "errors",
-    "Solution": "solution",
-    "fit": "experiments",
-    "Squeeze": "approach.result",
-    "load": "io",
-    "read_measurements": "measurements",
-    "Rig": "rig",
-    "solve": "solver",
-    "stribeck_curve": "stribeck",
+    "Solution": "steady.solution",
+    "Squeeze": "transient.squeeze.result",
+    "fit": "experiments.fit",
+    "load": "files.netcdf",
+    "read_measurements": "experiments.measurements",
+    "solve": "steady.ladder",
+    "squeeze": "physical.squeeze",
+    "stribeck_curve": "experiments.stribeck",
     "sweep": "sweeps",
-    "squeeze": "approach.physical",
+}
+_MODULES = {
+    "curve": "theory.master_curve",
+    "dry": "model.dry",
+    "engineering": "theory.engineering",
+    "flow": "readout.flow",
+    "free_boundary": "readout.free_boundary",
+    "friction": "readout.friction",
+    "inlet": "theory.inlet",
+    "limits": "theory.limits",
+    "liquids": "model.liquids",
+    "scaling": "theory.scaling",
+    "side": "theory.side",
+    "substrates": "model.substrates",
 }
 
 __all__ = [
@@ -62,20 +81,34 @@ __all__ = [
     "Solution",
     "Squeeze",
     "__version__",
+    "curve",
+    "dry",
+    "engineering",
     "fit",
+    "flow",
+    "free_boundary",
+    "friction",
+    "inlet",
+    "limits",
+    "liquids",
     "load",
     "read_measurements",
+    "scaling",
+    "side",
     "solve",
     "squeeze",
     "stribeck_curve",
+    "substrates",
     "sweep",
 ]
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _HOME:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
+    if name in _MODULES:
+        return import_module(f"{__name__}.{_MODULES[name]}")
+    if name in _NAMES:
+        return getattr(import_module(f"{__name__}.{_NAMES[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

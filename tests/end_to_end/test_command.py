@@ -65,6 +65,6 @@ def test_a_reader_that_leaves_early_is_no_error(tmp_path):
 
 def test_start_up_is_lean(tmp_path):
     """Asking for help must not load the numerics."""
-    code = "import sys; from softlube.cli import main; main(['--help']); sys.exit('numpy' in sys.modules)"
+    code = "import sys; from softlube.cli.main import main; main(['--help']); sys.exit('numpy' in sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, check=False)
     assert run.returncode == 0

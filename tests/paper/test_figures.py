@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import softlube
-from softlube.limits import HERTZ_LOAD
+from softlube.model.exact import HERTZ_LOAD
 from softlube.paper.figures import FIGURES, Case, Statement, Table
 from softlube.paper.figures.base import BALL_ON_RUBBER, PROFILES, WIDE, beta_text
 from softlube.paper.figures.measured import read_friction

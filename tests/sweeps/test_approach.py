@@ -10,8 +10,8 @@ import pytest
 import xarray as xr
 
 import softlube
-from softlube.approach.start import slide
-from softlube.cli import main
+from softlube.cli.main import main
+from softlube.physical.sliding import slide
 from softlube.sweeps import Store, read_plan
 from softlube.sweeps.plan import make_plan
 from softlube.sweeps.work import content_key

@@ -45,7 +45,7 @@ def test_no_scheduler_there(address, message, monkeypatch):
 
 
 def test_a_lost_connection_is_no_failure_of_the_case():
-    from softlube.problem import Problem
+    from softlube.model.problem import Problem
     from softlube.sweeps.executors import Dask
     from softlube.sweeps.steady import SteadyTask
 

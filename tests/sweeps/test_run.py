@@ -11,7 +11,7 @@ import pandas as pd
 import pytest
 
 import softlube
-from softlube.problem import Problem
+from softlube.model.problem import Problem
 from softlube.sweeps import Store
 from softlube.sweeps.executors import Local, WorkerDied
 from softlube.sweeps.run import Stretches, _Run
@@ -158,7 +158,7 @@ def test_an_unexpected_error_is_a_failure_of_its_case(monkeypatch):
     def defect(*arguments, **options):
         raise ZeroDivisionError("a defect")
 
-    monkeypatch.setattr("softlube.solver.solve_problem", defect)
+    monkeypatch.setattr("softlube.steady.ladder.solve_problem", defect)
     assert solve_one(SteadyTask(Problem(beta=10)), 1e-3, False).reason == "ZeroDivisionError: a defect"
 
 
@@ -179,7 +179,7 @@ def test_workers_end_with_a_killed_sweep(tmp_path):
     script = (
         "import os, signal\n"
         "from softlube.sweeps.executors import Local\n"
-        "from softlube.problem import Problem\n"
+        "from softlube.model.problem import Problem\n"
         "from softlube.sweeps.steady import SteadyTask\n"
         "executor = Local(1)\n"
         "executor.submit(0, SteadyTask(Problem(beta=100)), 0.05, False).result()\n"
@@ -244,7 +244,7 @@ def test_every_lane_walks_along_beta_and_helps_the_slowest():
     assert stretches.take("a") is None
 
 
-COMMAND = [sys.executable, "-c", "from softlube.cli import main; raise SystemExit(main())", "sweep"]
+COMMAND = [sys.executable, "-c", "from softlube.cli.main import main; raise SystemExit(main())", "sweep"]
 PLAN = """
 [sweep]
 accuracy = 0.05

@@ -6,7 +6,7 @@ import time
 import pytest
 
 import softlube
-from softlube.problem import Problem
+from softlube.model.problem import Problem
 from softlube.sweeps import store as store_module
 from softlube.sweeps.steady import SteadyTask
 from softlube.sweeps.store import Store
@@ -110,22 +110,23 @@ def test_the_key_is_made_of_all_that_determines_a_solution(monkeypatch):
 
 
 def test_the_version_covers_the_code_that_solves_and_no_other():
-    names = set(_sources("solver"))
-    assert {"solver", "system", "newton", "reynolds", "elasticity", "grid", "quantities", "problem"} <= names
-    assert not names & {"cli", "contact", "io", "plotting", "experiments", "master", "stribeck", "tables"}
-    assert not any(name.startswith("approach") for name in names)
+    names = set(_sources("steady.ladder"))
+    numerics = {"solvers.newton", "discretization.system", "discretization.reynolds", "discretization.elasticity"}
+    assert numerics | {"steady.ladder", "discretization.grid", "discretization.measure", "model.problem"} <= names
+    assert not any(name.split(".")[0] in ("cli", "physical", "files", "plots", "experiments", "transient") for name in names)
 
 
 def test_the_version_of_squeeze_films_covers_theirs():
-    squeezing, sliding = set(_sources("approach.result")), set(_sources("approach.sliding_result"))
-    assert {"approach.integrate", "approach.motion", "approach.rings", "approach.files", "elasticity", "dry"} <= squeezing
-    assert "approach.sliding" not in squeezing  # a change there must not make squeeze films strangers
-    assert {"approach.sliding", "solver", "newton"} <= sliding
-    assert not (squeezing | sliding) & {"approach.picture", "cli", "plotting", "tables"}
+    squeezing, sliding = set(_sources("transient.squeeze.result")), set(_sources("transient.sliding.result"))
+    rooms = {"transient.squeeze.integrate", "transient.motion", "transient.squeeze.rings", "discretization.radial"}
+    assert rooms | {"model.dry"} <= squeezing
+    assert "transient.sliding.integrate" not in squeezing  # a change there must not make squeeze films strangers
+    assert {"transient.sliding.integrate", "discretization.system", "solvers.newton"} <= sliding
+    assert not any(name.split(".")[0] in ("cli", "plots", "files") for name in squeezing | sliding)
 
 
 def test_the_version_is_the_release_and_a_digest():
-    release, digest = solver_version("solver").split("+")
+    release, digest = solver_version("steady.ladder").split("+")
     assert release == softlube.__version__
     assert len(digest) == 12
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from softlube.accuracy import yardstick
-from softlube.problem import Problem
-from softlube.solver import solve_problem
+from softlube.model.problem import Problem
+from softlube.steady.error_estimate import yardstick
+from softlube.steady.ladder import solve_problem
 
 REFERENCE = json.loads((Path(__file__).parent / "reference.json").read_text())
 CASES = [Problem.from_plain(case["problem"]) for case in REFERENCE]

@@ -10,9 +10,9 @@ import skfem as fem
 from scipy.sparse import bmat
 from skfem.helpers import grad
 
-from softlube.dry import dry_contact_at
-from softlube.limits import HERTZ_LOAD
-from softlube.substrates import Layer
+from softlube.model.dry import dry_contact_at
+from softlube.model.exact import HERTZ_LOAD
+from softlube.model.substrates import Layer
 
 FINITE_ELEMENT_ERROR = 2e-4
 """Of the load on the mesh below: where the contact's edge lies between two nodes, it cannot tell."""

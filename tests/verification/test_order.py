@@ -7,9 +7,9 @@ lies somewhere between the nodes, which leaves second order with an erratic cons
 import numpy as np
 import pytest
 
-from softlube.grid import PolarGrid
-from softlube.problem import Problem
-from softlube.solver import solve_level
+from softlube.discretization.grid import PolarGrid
+from softlube.model.problem import Problem
+from softlube.steady.ladder import solve_level
 
 FINE = {"layer": 0.15, "side_layer": 0.5}
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import softlube
-from softlube.limits import HERTZ_LOAD, HERTZ_PRESSURE, half_sommerfeld_load, hertz_pressure, kapitza_pressure
-from softlube.meshing import grid_for
-from softlube.problem import Problem
-from softlube.solver import solve_level
-from softlube.system import ContactSystem
+from softlube.discretization.system import ContactSystem
+from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE, half_sommerfeld_load, hertz_pressure, kapitza_pressure
+from softlube.model.problem import Problem
+from softlube.steady.ladder import solve_level
+from softlube.steady.mesh import grid_for
 
 
 @pytest.fixture(scope="module")

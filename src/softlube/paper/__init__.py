@@ -1,10 +1,4 @@
-"""The 2020 paper as published: its numerical method, whole, as the baseline for the modern solver.
+"""The paper as published: its numerical method, its figures, a report of our numbers beside the paper's.
 
-`solve_relaxation` and `solve_cartesian` take a `softlube.problem.Problem` and return a `softlube.solution.Solution`;
-`march_relaxation` yields one for each β.
+Depends on: `plots` and all above it.  A figure is a function in `figures`.
 """
-
-from softlube.paper.relaxation import RelaxationError, Sweeps
-from softlube.paper.solver import march_relaxation, solve_cartesian, solve_relaxation
-
-__all__ = ["RelaxationError", "Sweeps", "march_relaxation", "solve_cartesian", "solve_relaxation"]

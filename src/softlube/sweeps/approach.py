@@ -9,15 +9,15 @@ from inspect import signature
 from pathlib import Path
 from typing import Any, ClassVar
 
-from softlube.approach import result as squeezing
-from softlube.approach import sliding_result as sliding
-from softlube.approach.extremes import Extremes
-from softlube.approach.motion import Motion
-from softlube.approach.physical import WAYS, Setup, Table, exactly_one, read_history, read_motion, squeeze
-from softlube.approach.start import read_sliding
 from softlube.errors import InputError
-from softlube.solution import Quantity
+from softlube.model.quantities import Quantity
+from softlube.physical.sliding import read_sliding
+from softlube.physical.squeeze import WAYS, Setup, Table, exactly_one, read_history, read_motion, squeeze
 from softlube.sweeps.tasks import Outcome, Value, contents
+from softlube.transient.extremes import Extremes
+from softlube.transient.motion import Motion
+from softlube.transient.sliding import result as sliding
+from softlube.transient.squeeze import result as squeezing
 
 DIGITS = 12
 """Digits of the normalised motion that count: cases that differ by rounding only are solved once."""
@@ -34,11 +34,11 @@ class SqueezeTask:
     Attributes
     ----------
     motion : mapping
-        See `softlube.approach.motion.Motion.to_plain`.
+        See `softlube.transient.motion.Motion.to_plain`.
     film_limit : float
     """
 
-    code: ClassVar[str] = "approach.result"
+    code: ClassVar[str] = "transient.squeeze.result"
     scales: ClassVar[Mapping[str, str]] = squeezing.DIMENSION | {"end_time": "time", "dimple_time": "time"}
     motion: Mapping[str, Any]
     film_limit: float
@@ -53,7 +53,7 @@ class SqueezeTask:
         return {"motion": dict(self.motion), "film_limit": self.film_limit}
 
     def solve(self, accuracy: float, with_fields: bool) -> Outcome:
-        """See `softlube.approach.result.follow`."""
+        """See `softlube.transient.squeeze.result.follow`."""
         film = squeezing.follow(Motion.from_plain(self.motion), accuracy=accuracy, film_limit=self.film_limit)
         facts = {"ended_by": film.run.ended_by, "dimple_time": film.dimple_time}
         return _outcome(film, facts, with_fields)
@@ -66,13 +66,13 @@ class SlidingTask:
     Attributes
     ----------
     motion : mapping
-        See `softlube.approach.motion.Motion.to_plain`.
+        See `softlube.transient.motion.Motion.to_plain`.
     sliding : mapping
-        Arguments of `softlube.approach.sliding_result.follow_sliding`.
+        Arguments of `softlube.transient.sliding.result.follow_sliding`.
     film_limit : float
     """
 
-    code: ClassVar[str] = "approach.sliding_result"
+    code: ClassVar[str] = "transient.sliding.result"
     scales: ClassVar[Mapping[str, str]] = sliding.KIND | {"end_time": "time"}
     motion: Mapping[str, Any]
     sliding: Mapping[str, Any]
@@ -88,7 +88,7 @@ class SlidingTask:
         return {"motion": dict(self.motion), "sliding": dict(self.sliding), "film_limit": self.film_limit}
 
     def solve(self, accuracy: float, with_fields: bool) -> Outcome:
-        """See `softlube.approach.sliding_result.follow_sliding`."""
+        """See `softlube.transient.sliding.result.follow_sliding`."""
         motion = Motion.from_plain(self.motion)
         start = sliding.follow_sliding(motion, **self.sliding, film_limit=self.film_limit, accuracy=accuracy)
         return _outcome(start, {"ended_by": start.run.ended_by}, with_fields)
@@ -112,13 +112,13 @@ class ApproachCase:
     Attributes
     ----------
     inputs : mapping of str to float or str
-        Arguments of `softlube.squeeze` or `softlube.approach.start.slide` in SI.
+        Arguments of `softlube.squeeze` or `softlube.physical.sliding.slide` in SI.
     task : SqueezeTask or SlidingTask
         Normalised, rounded to `DIGITS` digits.
     setup : Setup
         What it is normalised with.
     sliding : mapping of str to object
-        See `softlube.approach.start.Slide`; empty without sliding.
+        See `softlube.physical.sliding.Slide`; empty without sliding.
     """
 
     inputs: Mapping[str, Value]
@@ -150,8 +150,8 @@ class ApproachCase:
         """Write the file that the case's own `save` would write."""
         import xarray as xr
 
-        from softlube.approach.files import in_units
-        from softlube.files import whole_file
+        from softlube.files.transient import in_units
+        from softlube.files.writing import whole_file
 
         with whole_file(path) as temporary:
             data = xr.load_dataset(io.BytesIO(fields), engine="h5netcdf")
@@ -181,7 +181,7 @@ class Approach:
         return tuple(self._folder / name for name in self._histories)
 
     def accuracy(self, given: float | None, names: Iterable[str]) -> float:
-        """See `softlube.squeeze` and `softlube.approach.start.slide`."""
+        """See `softlube.squeeze` and `softlube.physical.sliding.slide`."""
         usual, ladder = (2e-2, sliding) if "speed" in names else (1e-3, squeezing)
         finest, coarsest = ladder.FINEST_ACCURACY, ladder.COARSEST_ACCURACY
         accuracy = usual if given is None else given

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from softlube.errors import InputError
+from softlube.files.tables import read_table
+from softlube.physical.units import to_si
 from softlube.sweeps.tasks import Value
-from softlube.tables import read_table
-from softlube.units import to_si
 
 COMBINATIONS = ("product", "zip")
 DIMENSIONLESS = ("beta", "beta_load")

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from softlube.errors import InputError
-from softlube.files import check_destination, whole_file
-from softlube.units import KINDS
+from softlube.files.writing import check_destination, whole_file
+from softlube.physical.units import KINDS
 
 if TYPE_CHECKING:
     import pandas

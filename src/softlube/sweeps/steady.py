@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
-from softlube.contact import UNITS, Contact
 from softlube.errors import InputError
-from softlube.problem import Problem
-from softlube.solution import Quantity
+from softlube.model.problem import Problem
+from softlube.model.quantities import Quantity
+from softlube.physical.contact import UNITS, Contact
 from softlube.sweeps.axes import DIMENSIONLESS
 from softlube.sweeps.tasks import Outcome, Value, contents
 
@@ -47,7 +47,7 @@ class SteadyTask:
     problem : Problem
     """
 
-    code: ClassVar[str] = "solver"
+    code: ClassVar[str] = "steady.ladder"
     problem: Problem
 
     @property
@@ -61,7 +61,7 @@ class SteadyTask:
 
     def solve(self, accuracy: float, with_fields: bool) -> Outcome:
         """See `softlube.solve`."""
-        from softlube.solver import solve_problem
+        from softlube.steady.ladder import solve_problem
 
         solution = solve_problem(self.problem, accuracy=accuracy)
         return Outcome(
@@ -133,7 +133,7 @@ class SteadyCase:
 
     def write(self, fields: bytes, path: Path) -> None:
         """Write a file that `softlube.load` reads, with its fields in SI if the case is physical."""
-        from softlube.io import load
+        from softlube.files.netcdf import load
 
         with tempfile.TemporaryDirectory() as scratch:
             stored = Path(scratch) / "solution.nc"

@@ -12,7 +12,7 @@ from pathlib import Path
 from softlube.errors import SoftlubeError
 from softlube.sweeps.tasks import Outcome, Task
 
-NO_SAY = ("approach.picture", "cli", "contact", "files", "io", "paper", "plotting", "sweeps")
+NO_SAY = ("cli", "files", "paper", "physical.contact", "plots", "sweeps")
 """Modules and packages that the code of a task can reach and that have no say in its numbers."""
 
 

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.plotting import STYLE
-from softlube.problem import Cavitation
-from softlube.solution import Solution
+from softlube.model.problem import Cavitation
+from softlube.plots.solution import STYLE
+from softlube.steady.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -92,7 +92,7 @@ class Table:
         """Write as CSV, whole or not at all."""
         import csv
 
-        from softlube.files import whole_file
+        from softlube.files.writing import whole_file
 
         with whole_file(path) as temporary, open(temporary, "w", newline="", encoding="utf-8") as stream:
             writer = csv.writer(stream)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from softlube import engineering, friction
 from softlube.paper.figures.base import (
     BETA,
     BLACK,
@@ -28,8 +27,10 @@ from softlube.paper.figures.base import (
     reynolds,
     styled,
 )
-from softlube.plotting import plot
-from softlube.scaling import LAWS, PAPER_RANGE, compare
+from softlube.plots.solution import plot
+from softlube.readout import friction
+from softlube.theory import engineering
+from softlube.theory.scaling import LAWS, PAPER_RANGE, compare
 
 SYMBOLS = {
     "20": r"$|\partial p/\partial r|_{\max}$",

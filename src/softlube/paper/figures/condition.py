@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from softlube.flow_pictures import inlet_right
 from softlube.paper.figures.base import (
     BETA,
     BLACK,
@@ -28,6 +27,7 @@ from softlube.paper.figures.base import (
     percent,
     styled,
 )
+from softlube.plots.flow import inlet_right
 
 COMPARED = (10.0, 100.0, 300.0, 1000.0, 1e4)
 PROFILED = (100.0, 1000.0, 1e4)

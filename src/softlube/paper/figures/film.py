@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.flow_pictures import inlet_right
 from softlube.paper.figures.base import (
     BETA,
     BLACK,
@@ -36,7 +35,8 @@ from softlube.paper.figures.base import (
     reynolds,
     styled,
 )
-from softlube.scaling import asymptote, fit, local_exponents
+from softlube.plots.flow import inlet_right
+from softlube.theory.scaling import asymptote, fit, local_exponents
 
 
 @styled

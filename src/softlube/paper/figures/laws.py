@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from softlube.limits import HERTZ_LOAD
+from softlube.model.exact import HERTZ_LOAD
 from softlube.paper.figures.base import (
     BETA,
     BLACK,
@@ -30,7 +30,7 @@ from softlube.paper.figures.base import (
     styled,
 )
 from softlube.paper.figures.pressure import load_statement
-from softlube.scaling import (
+from softlube.theory.scaling import (
     BOUNDARY_LAYER,
     FILM_CENTER,
     FILM_MIN,

@@ -92,7 +92,7 @@ def _column(rows: list[list[str]], index: int, name: str) -> Array:
 
 def _factor(name: str, unit: str) -> float:
     """Factor from a unit to SI."""
-    from softlube.units import to_si
+    from softlube.physical.units import to_si
 
     kind = "load" if name == "friction" else name
     try:

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from softlube import flow
-from softlube.flow_pictures import inlet_right
-from softlube.free_boundary import free_boundary
-from softlube.limits import HERTZ_LOAD, HERTZ_PRESSURE, far_field_profile, hertz_pressure
+from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE, far_field_profile, hertz_pressure
 from softlube.paper.figures.base import (
     BLACK,
     LENGTH,
@@ -32,7 +29,10 @@ from softlube.paper.figures.base import (
     reynolds,
     styled,
 )
-from softlube.solution import Solution
+from softlube.plots.flow import inlet_right
+from softlube.readout import flow
+from softlube.readout.free_boundary import free_boundary
+from softlube.steady.solution import Solution
 
 
 @styled
@@ -233,7 +233,7 @@ def whole_domain(solutions: Solutions) -> Drawn:
 
 
 def _load_within(solution: Solution, cutoff: float) -> float:
-    from softlube.quantities import load_within
+    from softlube.discretization.measure import load_within
 
     return load_within(solution.fields, cutoff)
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube import flow
-from softlube.flow_pictures import picture
 from softlube.paper.figures.base import (
     LINES,
     OKABE_ITO,
@@ -21,6 +19,8 @@ from softlube.paper.figures.base import (
     letters,
     styled,
 )
+from softlube.plots.flow import picture
+from softlube.readout import flow
 
 SHOWN = 1000.0
 """β of the flow's pictures; the paper does not say that of its Fig. 11."""

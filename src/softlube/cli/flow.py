@@ -1,0 +1,61 @@
+"""``softlube flow``: pictures of the flow in the gap.  Heavy imports live inside."""
+
+from __future__ import annotations
+
+from softlube.cli.inputs import Which
+
+
+def flow(which: Which | None = None, *, plot: str, level: float | None = None) -> int:
+    """Draw streamlines, velocities and wall shear in the film of one contact.
+
+    Give --solution (a file of `softlube solve --output`), --beta, or a physical contact.
+
+    Parameters
+    ----------
+    which
+        The contact.
+    plot
+        Picture to write (.png, .pdf or .svg).
+    level
+        Level of the film for the streamlines in the plane, 0 (substrate) to 1 (sphere) [default: mean flow].
+    """
+    import numpy as np
+    from rich.console import Console
+
+    from softlube.errors import InputError
+    from softlube.files.writing import check_destination, whole_file
+    from softlube.plots.flow import picture
+    from softlube.plots.solution import check_format
+    from softlube.readout.flow import flux, net_flux, shear_stress
+
+    check_format("plot", plot)
+    check_destination("plot", plot)
+    if level is not None and not 0 <= level <= 1:
+        raise InputError(f"level: expected a share of the film between 0 (substrate) and 1 (sphere), got {level!r}")
+    with Console(stderr=True).status("solving", spinner="dots") as status:
+        solution = (which or Which()).get(progress=status.update)
+        status.update("drawing")
+        figure, _ = picture(solution, level=level)
+        with whole_file(plot) as temporary:
+            figure.savefig(temporary, dpi=300)
+
+    angle = np.linspace(0, np.pi / 2, 181)
+    inflow = -2 * float(np.trapezoid(flux(solution, 1.0, angle)[0], angle))
+    r, theta = np.meshgrid(np.linspace(0, 1.2, 481), np.linspace(0, np.pi, 181), indexing="ij")
+    sphere, substrate = (float(np.max(np.abs(shear_stress(solution, r, theta, level=wall)[0]))) for wall in (1.0, 0.0))
+    console = Console(highlight=False, soft_wrap=True)
+    console.print(f"β = {solution.problem.parameter:.5g}, in the frame of the sphere", markup=False)
+    unit = "δ" if solution.problem.load_controlled else "|h0|"
+    units = (f"v {unit} a", f"ηv/{unit}")
+    if solution.contact is not None:
+        contact, height = solution.contact, solution.contact.unit_height
+        inflow *= contact.speed * height * contact.unit_length
+        scale = contact.viscosity * contact.speed / height
+        sphere, substrate, units = sphere * scale, substrate * scale, ("m³/s", "Pa")
+    console.print(f"flux into the contact r ≤ a over its front half: {inflow:.4g} {units[0]}", markup=False)
+    console.print(
+        f"largest shear stress: {sphere:.4g} {units[1]} on the sphere, {substrate:.4g} on the substrate", markup=False
+    )
+    console.print(f"net flux out of r ≤ 0.9 a over the flux into it: {net_flux(solution, 0.9):.1e}", markup=False)
+    console.print(f"Wrote {plot}", markup=False)
+    return 0

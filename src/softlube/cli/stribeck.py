@@ -1,0 +1,188 @@
+"""``softlube stribeck``: film and friction against speed from the command line."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Group, Parameter
+
+if TYPE_CHECKING:
+    import pandas
+
+_BODIES = Group("Bodies and liquid", sort_key=1)
+_MOTION = Group("Load and motion", sort_key=2)
+_FRICTION = Group("Which friction", sort_key=3)
+_OUTPUT = Group("Output", sort_key=4)
+Body = Annotated[str | None, Parameter(group=_BODIES, allow_leading_hyphen=True)]
+Ratio = Annotated[float, Parameter(group=_BODIES)]
+Motion = Annotated[str | None, Parameter(group=_MOTION, allow_leading_hyphen=True)]
+
+SHOWN = 13
+"""Rows printed for a load; the table has them all."""
+
+
+def stribeck(
+    *,
+    radius: Body = None,
+    young_modulus: Body = None,
+    viscosity: Body = None,
+    poisson_ratio: Ratio = 0.5,
+    ball_young_modulus: Body = None,
+    ball_poisson_ratio: Ratio = 0.5,
+    substrate_radius: Body = None,
+    roughness: Body = None,
+    load: Annotated[list[str] | None, Parameter(group=_MOTION, negative=(), allow_leading_hyphen=True)] = None,
+    slowest: Motion = None,
+    fastest: Motion = None,
+    slide_to_roll: Annotated[float, Parameter(group=_MOTION)] = 2.0,
+    points: Annotated[int, Parameter(group=_MOTION)] = 61,
+    force: Annotated[str, Parameter(group=_FRICTION)] = "sphere",
+    region: Annotated[str, Parameter(group=_FRICTION)] = "2",
+    accuracy: Annotated[float, Parameter(group=_FRICTION)] = 3e-3,
+    output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
+    plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
+    against: Annotated[str, Parameter(group=_OUTPUT)] = "hersey",
+    as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
+) -> int:
+    """Film and friction coefficient against speed and Hersey number, for one or more loads.
+
+    Parameters
+    ----------
+    radius
+        Radius of the ball, such as "2 mm".
+    young_modulus
+        Young's modulus of the substrate, such as "3 MPa".
+    viscosity
+        Dynamic viscosity of the liquid, such as "2 Pa s".
+    poisson_ratio
+        Of the substrate.
+    ball_young_modulus
+        Young's modulus of the ball [default: rigid].
+    ball_poisson_ratio
+        Of the ball.
+    substrate_radius
+        Radius of a substrate that is a ball, too [default: flat].
+    roughness
+        Root mean square roughness of both surfaces together, such as "30 nm", for the ratio λ of least film to roughness.
+    load
+        Normal load, such as "100 mN"; may be given several times.
+    slowest
+        Least entrainment speed, the mean of both surface speeds, such as "1 um/s" [default: as far as can be solved].
+    fastest
+        Greatest entrainment speed.
+    slide_to_roll
+        Difference of the surface speeds over their mean: 2 for a substrate at rest, 0 for pure rolling.
+    points
+        Number of speeds.
+    force
+        "sphere" (shear on the ball, as in the paper), "total" (the whole horizontal force) or "couette" (mean of both
+        surfaces).
+    region
+        Where friction is counted, in contact radii of the load; or "domain", "contact" as in softlube solve.
+    accuracy
+        Relative accuracy of the solutions behind the curve.
+    output
+        Table, .csv or .parquet.
+    plot
+        Picture (.png, .pdf or .svg).
+    against
+        "hersey" or "speed": what the picture is drawn against.
+    as_json
+        Print one JSON object and nothing else.
+    """
+    from softlube.cli.progress import Steps
+    from softlube.errors import InputError
+    from softlube.experiments.load_curve import parse_region
+    from softlube.physical.rig import Rig
+
+    if output is not None:
+        from softlube.sweeps.results import check_table
+
+        check_table("output", output)
+    if plot is not None:
+        from softlube.files.writing import check_destination
+        from softlube.plots.solution import check_format
+
+        check_format("plot", plot)
+        check_destination("plot", plot)
+    if against not in ("hersey", "speed"):
+        raise InputError(f"against: expected 'hersey' or 'speed', got {against!r}")
+    if not load:
+        raise InputError("load: missing; expected a force such as '100 mN'")
+    rig = Rig(
+        radius=radius,
+        young_modulus=young_modulus,
+        viscosity=viscosity,
+        poisson_ratio=poisson_ratio,
+        ball_young_modulus=ball_young_modulus,
+        ball_poisson_ratio=ball_poisson_ratio,
+        substrate_radius=substrate_radius,
+    )
+    from softlube.experiments.stribeck import stribeck_curve
+
+    with Steps("solving", quiet=as_json) as steps:
+        table = stribeck_curve(
+            rig,
+            load,
+            slowest=slowest,
+            fastest=fastest,
+            points=points,
+            slide_to_roll=slide_to_roll,
+            roughness=roughness,
+            force=force,
+            region=parse_region(region),
+            accuracy=accuracy,
+            progress=steps.update,
+        )
+    if output is not None:
+        from softlube.sweeps.results import save_table
+
+        save_table(table, output)
+    if plot is not None:
+        from softlube.plots.experiments import plot_stribeck
+
+        plot_stribeck(table, plot, against=against)
+    if as_json:
+        import json
+
+        # nan, where nothing could be solved, becomes null: JSON has no nan.
+        rows = [
+            {name: None if value != value else value for name, value in row.items()} for row in table.to_dict(orient="records")
+        ]
+        print(json.dumps(rows, allow_nan=False), flush=True)
+    else:
+        _report(table, [path for path in (output, plot) if path is not None])
+    return 0
+
+
+def _report(table: pandas.DataFrame, files: list[str]) -> None:
+    import numpy as np
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console(highlight=False, soft_wrap=True)
+    for load, rows in table.groupby("load [N]", sort=False):
+        shown = rows.iloc[np.unique(np.linspace(0, len(rows) - 1, SHOWN).round().astype(int))]
+        grid = Table(box=box.SIMPLE_HEAD, pad_edge=False, title=f"load {1e3 * float(str(load)):.4g} mN", title_justify="left")
+        columns = ["speed mm/s", "Hersey", "β", "friction", "centre nm", "least nm"]
+        for column in [*columns, *(["λ"] if "lambda" in rows else [])]:
+            grid.add_column(column, justify="right", no_wrap=True)
+        for _, row in shown.iterrows():
+            cells = [
+                f"{1e3 * row['entrainment_speed [m/s]']:.4g}",
+                f"{row['hersey']:.3g}",
+                f"{row['beta_load']:.4g}",
+                f"{row['friction_coefficient']:.4g}",
+                f"{1e9 * row['film_center [m]']:.4g}",
+                f"{1e9 * row['film_min [m]']:.4g}",
+                *([f"{row['lambda']:.3g}"] if "lambda" in rows else []),
+            ]
+            grid.add_row(*(("-" if cell == "nan" else cell) for cell in cells))
+        console.print(grid, soft_wrap=False)
+    console.print("Speed: mean of both surfaces. Friction: coefficient. Least: thinnest film. Errors: see --output.")
+    beyond = int(table["friction [N]"].isna().sum())
+    if beyond:
+        console.print(f"{beyond} of {len(table)} speeds are beyond what can be solved (-).")
+    for path in files:
+        console.print(f"Wrote {path}", markup=False)

@@ -1,0 +1,156 @@
+"""The elastic half-space: from pressure to surface displacement, Eqs. (2) and (6b).
+
+In polar coordinates the kernel depends on θ − θ′ only, so each harmonic p_m(r) cos mθ of the pressure displaces the surface by
+one of the same order, w_m(r) = −∫ k_m(r, r′) p_m(r′) r′ dr′.  On a half-space k_m is a ring's potential (`potentials.py`),
+singular like ln|r − r′|; other substrates add a smooth remainder.  `radial.py` takes the integrals.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+from scipy.fft import dct
+
+from softlube.discretization.grid import RIM, PolarGrid
+from softlube.discretization.potentials import ring_kernels
+from softlube.discretization.radial import EVERY_ORDER, radial_operators, sampled_orders
+from softlube.model.exact import far_field_profile
+from softlube.model.substrates import Remainder
+
+Array = NDArray[np.floating]
+
+BEYOND_NYQUIST = 1.15
+"""Harmonics over those that the narrowest intervals could tell apart; from 1.0 on a few more change films by 10⁻⁵ at most."""
+FINE_ANGLES = 4000
+"""Points on the half-circle from which the far field's harmonics are taken."""
+
+
+def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
+    """Between nodal values in θ and cosine coefficients.
+
+    The nodal values define a trigonometric polynomial in the uniform coordinate s; its coefficients in cos mθ are computed by
+    the trapezoidal rule, which converges geometrically here.
+
+    Returns
+    -------
+    synthesis : ndarray, shape (n_theta + 1, n_modes)
+        cos(mθ_k).
+    analysis : ndarray, shape (n_modes, n_theta + 1)
+        Nodal values to coefficients.
+    """
+    m_nodal = np.arange(grid.n_theta + 1)
+    half = np.where((m_nodal == 0) | (m_nodal == grid.n_theta), 0.5, 1.0)
+    nodal = np.cos(np.outer(m_nodal, grid.s)) * half * half[:, None] * 2 / grid.n_theta
+    n_modes = 1 + max(grid.n_theta, int(BEYOND_NYQUIST * np.pi / np.min(np.diff(grid.theta))))
+    n_fine = 4 * n_modes
+    s = np.arange(n_fine + 1) * np.pi / n_fine
+    weight = np.full(n_fine + 1, 2.0 / n_fine)
+    weight[[0, -1]] /= 2
+    m = np.arange(n_modes)
+    analysis = (np.cos(np.outer(m, grid.theta_of(s))) * (weight * grid.dtheta_ds(s))) @ (np.cos(np.outer(s, m_nodal)) @ nodal)
+    analysis[0] /= 2
+    return np.cos(np.outer(grid.theta, m)), analysis
+
+
+@dataclass(frozen=True)
+class ElasticOperator:
+    """Displacement of a substrate under the nodal pressures of a grid and the far field beyond it.
+
+    Attributes
+    ----------
+    radial : ndarray, shape (n_low, N, N)
+        Ring operators of the low harmonics, see `radial_operators`; N radii with the rim.
+    radial_high : ndarray of float32, shape (n_modes − n_low, N, N)
+        Those of the others.  They are most of the work, and so small a part of the displacement that single precision changes
+        films by 10⁻⁹.
+    synthesis, analysis : ndarray
+        From harmonics to nodal values in θ and back, see `angular_transform`.
+    load_weights : ndarray, shape (n,)
+        Weights of ∫p dA over the disc inside the outermost node, whole plane (both halves); n nodes with the rim.
+    far_pressure : ndarray, shape (2, n)
+        Far field at the nodes per unit of 1/β: p = (far_pressure[0] + h₀ far_pressure[1])/β.
+    far_displacement : ndarray, shape (2, n)
+        Displacement, sign reversed, by the far field beyond the outermost node, in the same two parts.
+    far_load : ndarray, shape (2,)
+        Load carried beyond the outermost node, in the same two parts.
+    """
+
+    radial: Array
+    radial_high: NDArray[np.float32]
+    synthesis: Array
+    analysis: Array
+    load_weights: Array
+    far_pressure: Array
+    far_displacement: Array
+    far_load: Array
+
+    def deflection(self, pressure: Array) -> Array:
+        """Displacement of the surface, sign reversed, at all nodes under nodal pressures, Eq. (6b).
+
+        Parameters
+        ----------
+        pressure : ndarray, shape (k,)
+            On the innermost rings, as many as there are; zero beyond.  Harmonic by harmonic, so that this costs the number of
+            harmonics times the square of the number of rings.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+        """
+        rings = pressure.reshape(-1, self.analysis.shape[1])
+        harmonics, inner, n_low = (self.analysis @ rings.T)[:, :, None], slice(rings.shape[0]), len(self.radial)
+        low = np.matmul(self.radial[:, :, inner], harmonics[:n_low])
+        high = np.matmul(self.radial_high[:, :, inner], harmonics[n_low:].astype(self.radial_high.dtype))
+        return (self.synthesis @ np.concatenate([low, high])[:, :, 0]).T.ravel()
+
+    def ring_coupling(self, target: int, sources: slice) -> Array:
+        """Deflection of one ring under pressures on some others, shape (number of sources, n_angles, n_angles)."""
+        radial = np.concatenate([each[:, target, sources] for each in (self.radial, self.radial_high)])
+        return np.matmul(self.synthesis * radial.T[:, None, :], self.analysis)
+
+
+def elastic_operator(grid: PolarGrid, cavitation: str, remainder: Remainder | None = None) -> ElasticOperator:
+    """Assemble the elastic operator of a grid, Eq. (6b): the half-space's, or that of the substrate with a given remainder."""
+    synthesis, analysis = angular_transform(grid)
+    n_modes = analysis.shape[0]
+    orders, spread = sampled_orders(n_modes)
+    kernels, weights = radial_operators(grid, orders, remainder)
+    sampled = kernels.astype(np.float32).reshape(orders.size, -1)
+
+    # Beyond the contact u = h₀ + r²/2 up to O(1/r), so p = f(θ)/(βr³)·(1 − 4h₀/r²), Eq. (9) with its first correction
+    # (from Kapitza's solution).  With r′ = a/t the integral over (a, ∞) becomes one over t in (0, 1).
+    profile = far_field_profile(grid.theta, cavitation)
+    far_pressure = np.stack([np.outer(grid.r**-3.0, profile), np.outer(-4 * grid.r**-5.0, profile)]).reshape(2, -1)
+    a = grid.r[-1]
+    x, x_weight = leggauss(24)
+    t = 1 - ((x + 1) / 2) ** 3
+    dt = 3 * ((x + 1) / 2) ** 2 * x_weight / 2
+    kernel = ring_kernels(orders, grid.r[:, None], a / t)
+    if remainder is not None:
+        kernel += remainder.ring_remainder(orders, grid.r[:, None], a / t)
+    kernel *= dt / a
+    # The profile has a kink in its second derivative at the front, so its coefficients are taken on a fine mesh.
+    angle = (np.arange(FINE_ANGLES) + 0.5) * np.pi / FINE_ANGLES
+    harmonics = dct(far_field_profile(angle, cavitation), type=2)[:n_modes] / FINE_ANGLES
+    harmonics[0] /= 2
+    parts = spread @ np.stack([kernel.sum(-1), kernel @ (-4 * (t / a) ** 2)])
+    far_displacement = (parts.swapaxes(1, 2) @ (harmonics[:, None] * synthesis.T)).reshape(2, -1)
+
+    return ElasticOperator(
+        radial=kernels[: min(n_modes, EVERY_ORDER)].copy(),
+        radial_high=(spread[EVERY_ORDER:].astype(np.float32) @ sampled).reshape(-1, *kernels.shape[1:]),
+        synthesis=synthesis,
+        analysis=analysis,
+        load_weights=2 * np.pi * np.outer(weights, analysis[0]).ravel(),
+        far_pressure=far_pressure,
+        far_displacement=far_displacement,
+        far_load=2 * np.pi * harmonics[0] * np.array([1 / a, -4 / (3 * a**3)]),
+    )
+
+
+def rim_slice(grid: PolarGrid) -> slice:
+    """The rim nodes in a flattened field."""
+    return slice(grid.n_unknown, grid.n_unknown + RIM * grid.shape[1])

@@ -1,0 +1,258 @@
+"""The coupled equations of one problem on one grid: what Newton's method is given.
+
+Unknowns are the pressures at the cell centres and, under load control, the height h₀ of the sphere.  The film follows from them
+by (6b) and (6c), so the Jacobian of the Reynolds residual R(p, u) is ∂R/∂p + ∂R/∂u · ∂u/∂p, exact; it is applied, never formed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlube.discretization.elasticity import ElasticOperator, elastic_operator, rim_slice
+from softlube.discretization.fields import Fields
+from softlube.discretization.grid import PolarGrid
+from softlube.discretization.preconditioner import Border, FilmEquation, local_stiffness
+from softlube.discretization.reynolds import ReynoldsOperator, Sparse
+from softlube.model.dry import dry_contact, smeared_contact
+from softlube.model.exact import HERTZ_LOAD, far_field_profile, kapitza_pressure
+from softlube.model.problem import Problem
+from softlube.model.substrates import Substrate
+
+Array = NDArray[np.floating]
+Mask = NDArray[np.bool_]
+
+FILM_KEPT = 0.5
+"""A step may lower the film to this fraction of itself at most, anywhere."""
+LARGEST_THINNING = 3.0
+"""A step may lower ln η by this much at most, anywhere.  Newton's method takes q for linear in the pressure, and where the
+fluidity is 10⁻¹⁰ that says that nothing flows however far the pressure falls."""
+LEAST_LIFT, LIFTS = 0.25, 20
+"""What the first guess leaves of the film that it is meant to have, anywhere, and attempts at it."""
+
+
+@lru_cache(maxsize=8)
+def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> tuple[ElasticOperator, ReynoldsOperator, Sparse]:
+    elastic = elastic_operator(grid, cavitation, substrate.remainder)
+    return elastic, ReynoldsOperator.on(grid), local_stiffness(grid, elastic)
+
+
+def forget_operators() -> None:
+    """Free the memory of the operators kept for grids that may come again."""
+    _operators.cache_clear()
+
+
+class ContactSystem:
+    """Discrete equations (6a)-(6c) with the cavitation condition and the far field.
+
+    They keep their form whatever height the lengths are normalised with.  So the unit is chosen to suit the grid: the
+    problem's own (|h₀|, or the Hertz indentation of the load) times `scale`, which makes β scale² times the problem's, and
+    the load 4/(3π) scale^(−3/2) where it is prescribed; substrate and fluid come along.
+
+    Parameters
+    ----------
+    problem : Problem
+    grid : PolarGrid
+    scale : float
+        Unit of height over the problem's own.
+    """
+
+    def __init__(self, problem: Problem, grid: PolarGrid, scale: float = 1.0) -> None:
+        self.problem = problem
+        self.grid = grid
+        self.scale = scale
+        self.beta = problem.parameter * scale**2
+        self.speed = 1 / self.beta
+        self.prescribed = HERTZ_LOAD * scale**-1.5 if problem.load_controlled else problem.height / scale
+        # Lengths scale with the root of the unit, and so do pressures.
+        self.material, self.fluid = problem.substrate.in_units(scale), problem.fluid.in_units(scale)
+        self.substrate, self.reynolds, self.stiffness = _operators(grid, problem.cavitation, self.material)
+        self.self_deflection = 1 / np.abs(self.stiffness.diagonal())
+        n, load_controlled = grid.n_unknown, problem.load_controlled
+        self.constrained = np.zeros(n + load_controlled, dtype=bool)
+        self.constrained[:n] = problem.cavitation == "reynolds"
+        # The far field, and with it the film, is linear in h₀: value = [0] + h₀ [1].
+        rim = rim_slice(grid)
+        far = self.speed * self.substrate.far_pressure[:, rim]
+        self.rim_pressure = far
+        self.film_offset = self.speed * self.substrate.far_displacement
+        for part in (0, 1):
+            self.film_offset[part] += self.substrate.deflection(np.concatenate([np.zeros(n), far[part]]))
+        self.film_offset[0] += np.repeat(grid.r**2 / 2, grid.shape[1])
+        self.film_offset[1] += 1
+        self.load_offset = self.speed * self.substrate.far_load + far @ self.substrate.load_weights[rim]
+
+    def height(self, x: Array) -> float:
+        """Height h₀ of the sphere's lowest point."""
+        return float(x[-1]) if self.problem.load_controlled else self.prescribed
+
+    def pressure(self, x: Array) -> Array:
+        """Pressure on all nodes, shape (n,)."""
+        return np.concatenate([x[: self.grid.n_unknown], self.rim_pressure[0] + self.height(x) * self.rim_pressure[1]])
+
+    def film(self, x: Array) -> Array:
+        """Film thickness on all nodes, Eq. (6c), shape (n,)."""
+        return self.substrate.deflection(x[: self.grid.n_unknown]) + self.film_offset[0] + self.height(x) * self.film_offset[1]
+
+    def film_change(self, step: Array) -> Array:
+        """Change of the film on all nodes by a change of the unknowns."""
+        change = self.substrate.deflection(step[: self.grid.n_unknown])
+        return change + step[-1] * self.film_offset[1] if self.problem.load_controlled else change
+
+    def load(self, x: Array) -> float:
+        """Load ∫p dA over the whole plane."""
+        n = self.grid.n_unknown
+        return float(self.substrate.load_weights[:n] @ x[:n] + self.load_offset[0] + self.height(x) * self.load_offset[1])
+
+    def fields(self, x: Array) -> Fields:
+        """Pressure and film in the problem's own unit of height."""
+        grid = self.grid
+        fields = Fields(
+            chart=grid,
+            r=grid.r,
+            theta=grid.theta,
+            pressure=self.pressure(x).reshape(grid.shape),
+            film=self.film(x).reshape(grid.shape),
+            beta=self.beta,
+            cavitation=self.problem.cavitation,
+            load=self.load(x),
+            height=self.height(x),
+            fluid=self.fluid,
+        )
+        return fields.in_units(1 / self.scale)
+
+    def linearise(self, x: Array) -> LinearisedContact:
+        """Residual and Jacobian at x."""
+        return LinearisedContact(self, x)
+
+    def start(self, height: float | None = None) -> Array:
+        """First guess.
+
+        Parameters
+        ----------
+        height : float, optional
+            h₀ in the system's units where it is unknown.
+
+        Notes
+        -----
+        Dry contacts of radii spread over the boundary layer, under which the film is positive everywhere.  The superposition
+        is smooth at the scale β^(−2/5) of the layer, and so much deeper that the film at the centre is β^(−3/5), as in the
+        Hertz limit; or deeper, until the film is positive on this grid (the displacement of a thin layer is a small difference
+        of large ones).  Far outside the far field is added, so that the free boundary starts where it ends.  High over the
+        surface, h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
+        """
+        height = -dry_contact(self.material).indentation if height is None else height
+        if not self.problem.load_controlled:
+            height = self.prescribed
+        r = self.grid.r[: self.grid.n_r, None]
+        profile = far_field_profile(self.grid.theta, self.problem.cavitation)
+        if height > 1:
+            pressure = kapitza_pressure(r, 0.0, self.beta, height) * profile / 0.8
+        else:
+            dry = dry_contact(self.material)
+            beta = max(dry.like_hertz(self.beta), 1.0)
+            layer = min(0.5, 1.5 * beta**-0.4)
+            lift = wanted = dry.edge * beta**-0.6
+            outside = self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
+            for _ in range(LIFTS):
+                pressure = smeared_contact(self.material, dry.indentation + lift, layer)(r) + outside
+                lowest = float(np.min(self.film(self._unknowns(pressure, height))))
+                if lowest > LEAST_LIFT * wanted:
+                    break
+                lift += max(LEAST_LIFT * wanted - lowest, LEAST_LIFT * wanted)
+        return self._unknowns(pressure, height)
+
+    def _unknowns(self, pressure: Array, height: float) -> Array:
+        return np.append(pressure.ravel(), height) if self.problem.load_controlled else pressure.ravel()
+
+
+@dataclass(frozen=True)
+class LinearisedContact:
+    """Residual and exact Jacobian of a `ContactSystem` at x; see `softlube.solvers.newton.Linearised`."""
+
+    system: ContactSystem
+    x: Array
+
+    @cached_property
+    def film(self) -> Array:
+        """Film thickness on all nodes."""
+        return self.system.film(self.x)
+
+    @cached_property
+    def residual(self) -> Array:
+        """Reynolds residual at the unknown nodes, then the load's defect under load control."""
+        system = self.system
+        reynolds = system.reynolds.residual(system.pressure(self.x), self.film, system.speed, system.fluid)
+        return np.append(reynolds, system.load(self.x) - system.prescribed) if system.problem.load_controlled else reynolds
+
+    @cached_property
+    def _derivatives(self) -> tuple[Sparse, Sparse]:
+        system = self.system
+        return system.reynolds.derivatives(system.pressure(self.x), self.film, system.speed, system.fluid)
+
+    @cached_property
+    def _within(self) -> tuple[Sparse, Sparse]:
+        """The derivatives by what happens on the unknown nodes."""
+        n = self.system.grid.n_unknown
+        by_pressure, by_film = self._derivatives
+        return Sparse(by_pressure[:, :n]), Sparse(by_film[:, :n])
+
+    @cached_property
+    def scale(self) -> Array:
+        """Size of the Jacobian's diagonal: ∂R/∂p at fixed film, and what a node's own deflection does to ∂R/∂u.
+
+        The second is by far the larger within the contact; without it a residual there would be taken for cavitation.
+        """
+        by_pressure, by_film = self._within
+        scale = np.abs(by_pressure.diagonal()) + abs(by_film) @ self.system.self_deflection + 1e-300
+        return np.append(scale, 1.0) if self.system.problem.load_controlled else scale
+
+    def times(self, step: Array) -> Array:
+        """Jacobian times a vector."""
+        system, n = self.system, self.system.grid.n_unknown
+        result = self._within[0] @ step[:n] + self._derivatives[1] @ system.substrate.deflection(step[:n])
+        if not system.problem.load_controlled:
+            return result
+        return np.append(
+            result + step[-1] * self._by_height, self._load_by_pressure @ step[:n] + step[-1] * system.load_offset[1]
+        )
+
+    @cached_property
+    def _by_height(self) -> Array:
+        system = self.system
+        by_pressure, by_film = self._derivatives
+        return by_film @ system.film_offset[1] + by_pressure[:, rim_slice(system.grid)] @ system.rim_pressure[1]
+
+    @property
+    def _load_by_pressure(self) -> Array:
+        return self.system.substrate.load_weights[: self.system.grid.n_unknown]
+
+    def equation(self, free: Mask) -> FilmEquation:
+        """Newton's equation on the free unknowns."""
+        system, n = self.system, self.system.grid.n_unknown
+        border = None
+        if system.problem.load_controlled:
+            border = Border(self._by_height, self._load_by_pressure, float(system.load_offset[1]))
+        return FilmEquation(self.times, *self._within, system.stiffness, free[:n], self.film[:n], border)
+
+    def size(self, step: Array) -> float:
+        """Largest relative change of the film, or of the pressure over its maximum if that is larger.
+
+        Under a light load the film hardly knows the pressure, in the Hertz limit the pressure hardly knows the film.
+        """
+        n = self.system.grid.n_unknown
+        film = float(np.max(np.abs(self.system.film_change(step)) / self.film))
+        return max(film, float(np.max(np.abs(step[:n])) / np.max(np.abs(self.x[:n]), initial=1e-300)))
+
+    def longest_step(self, step: Array) -> float:
+        """Fraction of the step down to which the film keeps `FILM_KEPT` of its thickness and the liquid its viscosity."""
+        n = self.system.grid.n_unknown
+        change = self.system.film_change(step)
+        falling = change < 0
+        film = float(np.min((1 - FILM_KEPT) * self.film[falling] / -change[falling], initial=1.0))
+        fluidity, slope = self.system.fluid.fluidity(self.x[:n])
+        thinning = float(np.max(slope / fluidity * step[:n], initial=0.0))
+        return min(film, LARGEST_THINNING / thinning) if thinning > LARGEST_THINNING else film

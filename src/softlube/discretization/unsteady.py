@@ -1,0 +1,69 @@
+"""A contact whose film changes with time: the steady equations with ∂u/∂t, one implicit step at a time.
+
+    ∂u/∂t + R(p, u) ≥ 0,     p ≥ 0,     p (∂u/∂t + R) = 0,     R = −∇·(u³∇p) − (1/β) ∂u/∂x.
+
+Each step is a complementarity problem like the steady one, for the same Newton's method.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from softlube.discretization.reynolds import Sparse
+from softlube.discretization.system import ContactSystem, LinearisedContact
+
+Array = NDArray[np.floating]
+
+
+def mass_matrix(system: ContactSystem) -> Sparse:
+    """What ∂u/∂t on all nodes adds to the balances of the cells, shape (n_unknown, n).
+
+    The balance is taken per unit of ξ and s.  In the innermost ring it leaves out 1/12 of the mean flux through the ring's
+    edge (see `softlube.discretization.reynolds`), so the same share of what that flux fills is left out here.
+    """
+    grid = system.grid
+    n, n_angles = grid.n_unknown, grid.shape[1]
+    r = grid.r[: grid.n_r]
+    metric = np.outer(r * grid.dr_dxi(r), grid.dtheta_ds(grid.s))
+    mean = np.full(n_angles, 1 / grid.n_theta)
+    mean[[0, -1]] /= 2
+    first = np.diag(metric[0]) - np.outer(np.ones(n_angles), mean * metric[0]) / 12
+    inner = sparse.block_diag([first, sparse.diags_array(metric[1:].ravel())])
+    return Sparse(sparse.hstack([inner, sparse.csr_array((n, grid.r.size * n_angles - n))]))
+
+
+@dataclass(frozen=True)
+class LinearisedStep(LinearisedContact):
+    """Residual and Jacobian of one implicit step, (∂u/∂t)ₙ₊₁ = weight uₙ₊₁ + known; a `softlube.solvers.newton.Linearised`."""
+
+    mass: Sparse
+    weight: float
+    known: Array
+
+    @cached_property
+    def residual(self) -> Array:
+        """Reynolds residual with the film's rate, then the load's defect under load control."""
+        growth = self.mass @ (self.weight * self.film + self.known)
+        return super().residual + (np.append(growth, 0.0) if self.system.problem.load_controlled else growth)
+
+    @cached_property
+    def _derivatives(self) -> tuple[Sparse, Sparse]:
+        by_pressure, by_film = super()._derivatives
+        return by_pressure, Sparse(by_film + self.weight * self.mass)
+
+
+class Step:
+    """One implicit step as a `softlube.solvers.newton.System`; see `LinearisedStep`."""
+
+    def __init__(self, system: ContactSystem, mass: Sparse, weight: float, known: Array) -> None:
+        self.system, self.mass, self.weight, self.known = system, mass, weight, known
+        self.constrained = system.constrained
+
+    def linearise(self, x: Array) -> LinearisedStep:
+        """Residual and Jacobian at x."""
+        return LinearisedStep(self.system, x, self.mass, self.weight, self.known)

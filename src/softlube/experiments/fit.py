@@ -1,0 +1,315 @@
+"""Measured friction in, fitted parameters out, with what the data can and cannot tell (Fig. 13 of the paper)."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlube.errors import InputError, SoftlubeError
+from softlube.experiments.fit_checks import HoldOut, check_held_out, order_of_residuals
+from softlube.experiments.friction_model import Model, make_model, normalised_friction, solve_model
+from softlube.experiments.intervals import Estimate, Step, bootstrap, profile, silent
+from softlube.experiments.load_curve import FORCES
+from softlube.experiments.measurements import Measurements, read_measurements
+
+Array = NDArray[np.floating]
+
+INTERVALS = ("profile", "bootstrap")
+FEWEST_HELD = 3
+TIED = 0.95
+"""Correlation from which on two parameters count as determined together only."""
+DOUBTFUL = 0.01
+"""Probability below which chance is no good explanation."""
+LARGE = 100_000
+"""Rows above which the fit is not repeated for other forces and regions."""
+OTHER_REGIONS = (1.0, 2.0, 5.0)
+
+
+@dataclass(frozen=True)
+class Fit:
+    """What `fit` returns.
+
+    Attributes
+    ----------
+    model : Model
+        Data, fixed parameters, master curve.
+    values : mapping of str to float
+        All parameters, fitted and fixed, in SI.
+    estimates : mapping of str to Estimate
+        The fitted ones.
+    correlation : ndarray, shape (free, free)
+        Between the fitted ones (logarithms of viscosity and modulus).
+    scatter : float
+        Standard deviation of the residuals: relative, or of the median friction for absolute noise.
+    residuals, beta : ndarray, shape (rows,)
+    confidence : float
+    interval : {"profile", "bootstrap"}
+    robust : bool
+    trend : tuple of str and float
+        Along what the residuals are most ordered (beta, load, speed or friction), and the probability of that by chance.
+    hold_out : HoldOut or None
+    region : float or str
+        Where the friction was counted.
+    others : mapping of (force, region) to float
+        The viscosity that the same data give if the friction is another force, or counted over another region.
+    """
+
+    model: Model
+    values: Mapping[str, float]
+    estimates: Mapping[str, Estimate]
+    correlation: Array
+    scatter: float
+    residuals: Array
+    beta: Array
+    confidence: float
+    interval: str
+    robust: bool
+    trend: tuple[str, float]
+    hold_out: HoldOut | None
+    region: str | float
+    others: Mapping[tuple[str, float], float]
+
+    @property
+    def verdicts(self) -> tuple[str, ...]:
+        """Whether the data determine the parameters, in sentences."""
+        return verdicts(self)
+
+    @property
+    def points(self) -> tuple[Array, Array]:
+        """β and normalised friction of the data, the points of Fig. 13."""
+        return normalised_friction(self.model, dict(self.values))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Numbers only, ready for JSON; an end of an interval that the data do not set is null."""
+
+        def end(value: float) -> float | None:
+            return value if math.isfinite(value) else None
+
+        return {
+            "rows": len(self.model.data),
+            "free": list(self.model.free),
+            "values": dict(self.values),
+            "estimates": {
+                name: {"value": e.value, "low": end(e.low), "high": end(e.high), "unit": e.unit, "determined": e.determined}
+                for name, e in self.estimates.items()
+            },
+            "confidence": self.confidence,
+            "interval": self.interval,
+            "robust": self.robust,
+            "correlation": self.correlation.tolist(),
+            "scatter": self.scatter,
+            "noise": self.model.noise,
+            "force": self.model.force,
+            "region": self.region,
+            "beta": [float(self.beta.min()), float(self.beta.max())],
+            "trend": {"along": self.trend[0], "probability": end(self.trend[1])},
+            "hold_out": None if self.hold_out is None else vars(self.hold_out) | {"lines": list(self.hold_out.lines)},
+            "viscosity_otherwise": [{"force": f, "region": r, "viscosity": v} for (f, r), v in self.others.items()],
+            "verdicts": list(self.verdicts),
+            "notices": list(self.model.data.notices),
+        }
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
+        """Collapse on the master curve and residuals; written to `path` if given."""
+        from softlube.plots.experiments import plot_fit
+
+        return plot_fit(self, path)
+
+
+def fit(
+    data: Measurements | str | os.PathLike[str],
+    *,
+    radius: object,
+    young_modulus: object = None,
+    viscosity: object = None,
+    friction_offset: float = 0.0,
+    free: Sequence[str] = ("viscosity",),
+    noise: str = "relative",
+    robust: bool = False,
+    interval: str | None = None,
+    confidence: float = 0.95,
+    hold_out: float = 0.0,
+    seed: int = 0,
+    force: str = "sphere",
+    region: str | float = 2.0,
+    compare: bool = True,
+    progress: Step | None = None,
+) -> Fit:
+    """Fit viscosity, modulus or a friction offset to measured friction.
+
+    Parameters
+    ----------
+    data : Measurements or path
+        Measurements, or a CSV file for `softlube.experiments.measurements.read_measurements`.
+    radius, young_modulus, viscosity : str, float or pint.Quantity
+        As for `Contact`; a parameter that is fitted may be given to start from.
+    friction_offset : float
+        Force that is added to the friction of the film, N.
+    free : sequence of str
+        Of viscosity, young_modulus (or modulus), friction_offset (or offset).
+    noise : {"relative", "absolute"}
+        Whether the scatter is in proportion to the friction, or the same for all.  Its size is taken from the residuals.
+    robust : bool
+        Let outliers count little.
+    interval : {"profile", "bootstrap"}, optional
+        Profile likelihood, or rows drawn again; the latter is the default for a robust fit, which has no likelihood.
+    confidence : float
+        Of the intervals.
+    hold_out : float
+        Fraction of the rows, drawn at random, that is left out and then predicted.
+    seed : int
+        Of what is drawn.
+    force, region
+        Which friction was measured, see `softlube.experiments.load_curve.Curve`; it matters for the viscosity (`Fit.others`).
+    compare : bool
+        Whether to repeat the fit for the other forces and regions.
+    progress : callable, optional
+        Called with what is being done, how much of it is, and of how much.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    InputError
+        If the data or another input is not as described.
+    NotConvergedError
+        If the fit fails, or leads to contacts that cannot be solved.
+    """
+    say = progress or silent
+    interval = interval or ("bootstrap" if robust else "profile")
+    if interval not in INTERVALS:
+        raise InputError(f"interval: expected one of {', '.join(INTERVALS)}, got {interval!r}")
+    if interval == "profile" and robust:
+        raise InputError("interval: a robust fit has no likelihood to profile; expected bootstrap")
+    for name, value, ends in (("confidence", confidence, (0.5, 0.9999)), ("hold_out", hold_out, (0.0, 0.9))):
+        if isinstance(value, (bool, str)) or not ends[0] <= value <= ends[1]:
+            raise InputError(f"{name}: expected a fraction from {ends[0]:g} to {ends[1]:g}, got {value!r}")
+    if not isinstance(data, Measurements):
+        data = read_measurements(data)
+    random = np.random.default_rng(seed)
+    everything, held = data, None
+    if hold_out:
+        order = random.permutation(len(data))
+        count = round(hold_out * len(data))
+        if count < FEWEST_HELD:
+            raise InputError(f"hold_out: leaves out {count} of {len(data)} rows; expected {FEWEST_HELD} at least")
+        held = data.take(np.sort(order[:count]))
+        data = replace(data.take(np.sort(order[count:])), notices=everything.notices)
+    model = make_model(
+        data,
+        radius=radius,
+        young_modulus=young_modulus,
+        viscosity=viscosity,
+        friction_offset=friction_offset,
+        free=free,
+        noise=noise,
+        force=force,
+        region=region,
+    )
+
+    def solving(done: int, total: int) -> None:
+        say("master curve", done, total)
+
+    model, optimum = solve_model(model, region, robust=robust, progress=solving)
+    values = model.values(optimum.x)
+    residuals = model.residuals(values)
+    freedom = max(len(data) - optimum.x.size, 1)
+    scatter = math.sqrt(optimum.sum_of_squares / freedom)
+    if interval == "profile":
+        estimates = {name: profile(model, optimum, name, confidence, say) for name in model.free}
+        covariance = optimum.covariance
+    else:
+        estimates, covariance = bootstrap(model, optimum, confidence, random, robust, say)
+    # With the modulus free, too, the comparison would show how loosely both are tied to the data, and nothing else.
+    compared = compare and "viscosity" in model.free and "young_modulus" not in model.free and len(data) <= LARGE
+    return Fit(
+        model=model,
+        values=values,
+        estimates=estimates,
+        correlation=_correlation(covariance),
+        scatter=scatter,
+        residuals=residuals,
+        beta=model.beta(values),
+        confidence=confidence,
+        interval=interval,
+        robust=robust,
+        trend=order_of_residuals(model, values, residuals),
+        hold_out=None if held is None else check_held_out(model, values, held, scatter, freedom, confidence),
+        region=region,
+        others=_others(model, region, robust, values, say) if compared else {},
+    )
+
+
+def _correlation(covariance: Array) -> Array:
+    deviations = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
+    return covariance / np.outer(deviations, deviations)
+
+
+def _others(
+    model: Model, region: str | float, robust: bool, values: dict[str, float], say: Step
+) -> dict[tuple[str, float], float]:
+    found: dict[tuple[str, float], float] = {}
+    pairs = [(force, other) for force in FORCES[:2] for other in OTHER_REGIONS if (force, other) != (model.force, region)]
+    for number, (force, other) in enumerate(pairs):
+        say("other forces and regions", number, len(pairs))
+        try:
+            again, optimum = solve_model(replace(model, force=force, master=None), other, robust=robust, start=values)
+        except SoftlubeError:  # such as contacts beyond what can be solved: then there is no comparison
+            continue
+        found[force, other] = again.values(optimum.x)["viscosity"]
+    return found
+
+
+def verdicts(found: Fit) -> tuple[str, ...]:
+    """Whether the data determine the parameters, in sentences."""
+    low, high = float(found.beta.min()), float(found.beta.max())
+    result = [f"The data span beta = {low:.3g} to {high:.3g}, {math.log10(high / low):.1f} decades."]
+    master = found.model.master
+    if master is not None and high > master.high:
+        result.append(
+            f"{int((found.beta > master.high).sum())} rows lie above beta = {master.high:.3g}, up to which the curve was "
+            "solved; it goes on there with its last slope."
+        )
+    for name, estimate in found.estimates.items():
+        if estimate.determined:
+            continue
+        closed = estimate.low > 0 and math.isfinite(estimate.high)
+        how = f"spans a factor of {estimate.high / estimate.low:.1f}" if closed else "is open"
+        result.append(f"The data do not determine {name}: its {100 * found.confidence:g} % interval {how}.")
+    offset = found.estimates.get("friction_offset")
+    if offset is not None and offset.low <= 0 <= offset.high:
+        result.append("The interval of friction_offset holds zero: the data do not call for an offset.")
+    names = found.model.free
+    for i, first in enumerate(names):
+        for k in range(i + 1, len(names)):
+            c = float(found.correlation[i, k])
+            text = f"Correlation of {first} and {names[k]}: {c:+.3f}"
+            if abs(c) > TIED:
+                text += ", so that the data determine them together and hardly each by itself"
+                if {first, names[k]} == {"viscosity", "young_modulus"}:
+                    text += ": along a power law friction depends on one combination of both; only the curve's bend parts them"
+            result.append(text + ".")
+    if all(estimate.determined for estimate in found.estimates.values()):
+        result.append("The data determine " + ", ".join(names) + f" within the interval{'s' if len(names) > 1 else ''} stated.")
+    along, probability = found.trend
+    if probability < DOUBTFUL:
+        result.append(
+            f"The residuals are ordered along the {along} (probability by chance {probability:.1g}): the model, or a "
+            "parameter that is held, does not describe the data, and the intervals are too narrow."
+        )
+    held = found.hold_out
+    if held is not None:
+        verdict = "as well as those fitted" if held.probability > DOUBTFUL else "worse than those fitted"
+        result.append(
+            f"{len(held.lines)} rows left out are predicted {verdict}: scatter {held.scatter:.3g} against {found.scatter:.3g}, "
+            f"{100 * held.covered:.0f} % of them within the range predicted for {100 * found.confidence:g} %."
+        )
+    return tuple(result)

@@ -1,0 +1,129 @@
+"""Intervals of fitted parameters: the profile of the likelihood, and rows drawn again."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+from scipy.optimize import brentq
+
+from softlube.errors import NotConvergedError
+from softlube.experiments.friction_model import UNITS, Model, Optimum, optimise
+
+Array = NDArray[np.floating]
+Step = Callable[[str, int, int], None]
+"""What is told of the progress: what is being done, how much is, of how much."""
+
+
+def silent(what: str, done: int, total: int) -> None:
+    """Tell nothing."""
+
+
+RESAMPLES = 400
+"""Data sets drawn for a bootstrap."""
+UNDETERMINED = 2.0
+"""Factor between the ends of an interval from which on a parameter counts as not determined."""
+FARTHEST = 7.0
+"""Distance in logarithm, a factor of 1000, up to which the end of an interval is looked for."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A fitted parameter in SI with its interval; an end that the data do not set is 0 or infinite."""
+
+    value: float
+    low: float
+    high: float
+    unit: str
+
+    @property
+    def determined(self) -> bool:
+        """Whether the data set both ends of the interval, and close enough."""
+        if not (math.isfinite(self.low) and math.isfinite(self.high)):
+            return False
+        return self.low < 0 or self.unit == "N" or (self.low > 0 and self.high / self.low < UNDETERMINED)
+
+
+def profile(model: Model, optimum: Optimum, name: str, confidence: float, say: Step = silent) -> Estimate:
+    """Interval of one parameter by the profile of the likelihood, the scatter unknown.
+
+    With the parameter held at θ and the others fitted again the sum of squares is S(θ).  The interval holds where
+    S(θ) ≤ S_min (1 + t²/(n − p)), with Student's t: exact for a linear model, and for a curved one better than so many standard
+    errors.
+    """
+    k = model.free.index(name)
+    best = optimum.x
+    freedom = max(len(model.data) - best.size, 1)
+    level = optimum.sum_of_squares * (1 + stats.t.ppf((1 + confidence) / 2, freedom) ** 2 / freedom)
+    others = tuple(n for n in model.free if n != name)
+    last = dict(model.values(best))
+
+    def excess(x: float) -> float:
+        """S(θ) over the level, in logarithm."""
+        held = dict(model.fixed) | {name: _value(model, best, k, x)}
+        if others:
+            found = optimise(replace(model, fixed=held, free=others), last | held)
+            last.update(replace(model, fixed=held, free=others).values(found.x))
+            total = found.sum_of_squares
+        else:
+            residuals = model.residuals(held)
+            total = float(residuals @ residuals)
+        return math.log(max(total, 1e-300) / max(level, 1e-300))
+
+    deviation = math.sqrt(max(float(optimum.covariance[k, k]), 1e-12))
+    ends: list[float | None] = []
+    for number, sign in enumerate((-1, 1)):
+        say(f"interval of {name}", number, 2)
+        last.update(model.values(best))
+        inside, step, end = float(best[k]), 2 * deviation, None
+        while end is None and abs(inside - best[k]) < FARTHEST:
+            outside = inside + sign * step
+            try:
+                if excess(outside) > 0:
+                    end = float(brentq(excess, inside, outside, xtol=1e-4 * deviation + 1e-12))
+            except NotConvergedError:
+                break
+            inside, step = outside, 1.6 * step
+        ends.append(end)
+    return _estimate(model, name, best, ends)
+
+
+def bootstrap(
+    model: Model, optimum: Optimum, confidence: float, random: np.random.Generator, robust: bool, say: Step = silent
+) -> tuple[dict[str, Estimate], Array]:
+    """Intervals from fits to rows drawn with replacement (percentiles), and the covariance of these fits."""
+    found = []
+    for number in range(RESAMPLES):
+        if number % 20 == 0:
+            say("bootstrap", number, RESAMPLES)
+        drawn = replace(model, data=model.data.take(random.integers(len(model.data), size=len(model.data))))
+        # The unit of the offset is the median friction of the data, which differs from draw to draw.
+        try:
+            x = optimise(drawn, model.values(optimum.x), robust=robust).x
+        except NotConvergedError:
+            continue
+        found.append(model.vector(drawn.values(x)))
+    if len(found) < RESAMPLES / 2:
+        raise NotConvergedError("most of the bootstrap's fits fail: the data do not determine the parameters")
+    samples = np.array(found)
+    low, high = np.quantile(samples, [(1 - confidence) / 2, (1 + confidence) / 2], axis=0)
+    estimates = {name: _estimate(model, name, optimum.x, [low[k], high[k]]) for k, name in enumerate(model.free)}
+    return estimates, np.atleast_2d(np.cov(samples.T))
+
+
+def _estimate(model: Model, name: str, best: Array, ends: Sequence[float | None]) -> Estimate:
+    k = model.free.index(name)
+
+    lowest = -math.inf if name == "friction_offset" else 0.0
+    low, high = (None if end is None else _value(model, best, k, end) for end in ends)
+    value = _value(model, best, k, float(best[k]))
+    return Estimate(value, lowest if low is None else low, math.inf if high is None else high, UNITS[name])
+
+
+def _value(model: Model, best: Array, k: int, x: float) -> float:
+    """The k-th parameter in SI where the vector's k-th entry is x."""
+    return model.values(np.array([*best[:k], x, *best[k + 1 :]]))[model.free[k]]

@@ -1,0 +1,111 @@
+"""Measured friction: what a rig writes down, read and checked."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlube.errors import InputError
+from softlube.files.tables import header_names, read_table
+
+Array = NDArray[np.floating]
+
+
+@dataclass(frozen=True)
+class Measurements:
+    """Friction at loads and speeds, in SI.
+
+    Attributes
+    ----------
+    load, friction : ndarray, shape (rows,)
+        Normal load and friction force [N].
+    speed : ndarray, shape (rows,)
+        Sum of the surface speeds: the sliding speed where one surface rests, twice the entrainment speed otherwise [m/s].
+    slide_to_roll : ndarray, shape (rows,)
+        (v₁ − v₂) over the mean of both; 2 where the substrate rests.
+    lines : ndarray of int, shape (rows,)
+        Where each row stands in the file.
+    source : str
+        Name of the file.
+    notices : tuple of str
+        What was left out of the file, with the lines.
+    """
+
+    load: Array
+    speed: Array
+    friction: Array
+    slide_to_roll: Array
+    lines: NDArray[np.integer]
+    source: str = "data"
+    notices: tuple[str, ...] = ()
+
+    def __len__(self) -> int:
+        return self.load.size
+
+    @classmethod
+    def from_arrays(cls, load: object, speed: object, friction: object, *, slide_to_roll: float = 2.0) -> Measurements:
+        """Measurements from arrays in SI.
+
+        Raises
+        ------
+        InputError
+            If they differ in length, or a number is not finite, or a load or a speed not positive.
+        """
+        arrays: list[Array] = []
+        for name, given in (("load", load), ("speed", speed), ("friction", friction)):
+            try:
+                values = np.atleast_1d(np.asarray(given, dtype=float))
+            except (TypeError, ValueError):
+                raise InputError(f"{name}: expected numbers in SI units, got {given!r}") from None
+            if values.ndim != 1 or not np.all(np.isfinite(values)) or (name != "friction" and np.any(values <= 0)):
+                raise InputError(f"{name}: expected a row of finite numbers" + ("" if name == "friction" else " above zero"))
+            arrays.append(values)
+        if len({values.size for values in arrays}) != 1:
+            raise InputError(f"load, speed, friction: differ in length, {', '.join(str(values.size) for values in arrays)}")
+        size = arrays[0].size
+        return cls(arrays[0], arrays[1], arrays[2], np.full(size, float(slide_to_roll)), np.arange(1, size + 1))
+
+    def take(self, rows: NDArray[np.integer]) -> Measurements:
+        """Some of the rows."""
+        return Measurements(
+            self.load[rows], self.speed[rows], self.friction[rows], self.slide_to_roll[rows], self.lines[rows], self.source
+        )
+
+
+def read_measurements(path: str | os.PathLike[str], *, slide_to_roll: float = 2.0) -> Measurements:
+    """Measurements from a CSV file.
+
+    Columns, with units in the header: load; speed (sliding, one surface at rest) or entrainment_speed; friction or
+    friction_coefficient; slide_to_roll if it varies.  Others are ignored.  A row without one of them is left out and one that
+    repeats another in every cell of the file is counted once; both are told in `Measurements.notices`.
+
+    Raises
+    ------
+    InputError
+        See `softlube.files.tables.read_table`; also if both or none of two alternative columns are there.
+    """
+    names = header_names(path)
+    kind = _one_of(path, names, "speed", "entrainment_speed")
+    force = _one_of(path, names, "friction", "friction_coefficient")
+    rolls = ["slide_to_roll"] if "slide_to_roll" in names else []
+    table = read_table(path, ["load", kind, force, *rolls], drop_repeats=True, drop_missing=True)
+    columns = table.columns
+    load = columns["load"]
+    return Measurements(
+        load,
+        columns[kind] * (2 if kind == "entrainment_speed" else 1),
+        columns[force] * (load if force == "friction_coefficient" else 1),
+        columns["slide_to_roll"] if rolls else np.full(load.size, float(slide_to_roll)),
+        table.lines,
+        table.source,
+        table.notices,
+    )
+
+
+def _one_of(path: str | os.PathLike[str], names: list[str], first: str, second: str) -> str:
+    if first in names and second in names:
+        raise InputError(f"{os.path.basename(path)}, line 1: {first} and {second} are both there; keep one of them")
+    return second if second in names else first

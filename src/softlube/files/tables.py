@@ -1,0 +1,325 @@
+"""Tables of measurements and of cases: CSV with units in its header, read to SI or refused with the line.
+
+What spreadsheets and rigs write is read: byte order mark, semicolons or tabs, decimal commas, comments after #, empty lines and
+missing cells.  What could be read in two ways is not guessed at.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlube.errors import InputError
+from softlube.physical import units
+from softlube.physical.units import KINDS, unit_factor
+
+Array = NDArray[np.floating]
+
+MISSING = frozenset({"", "na", "n/a", "nan", "null", "none", "-", "--", "?"})
+"""Cells that say that there is no value, in lower case."""
+ALIASES = {
+    "velocity": "speed",
+    "sliding_speed": "speed",
+    "sliding_velocity": "speed",
+    "normal_load": "load",
+    "normal_force": "load",
+    "friction_force": "friction",
+}
+"""Other headers for the same thing."""
+DIMENSIONLESS = frozenset({"beta", "beta_load", "slide_to_roll", "friction_coefficient", "poisson_ratio"})
+"""Columns that take no unit."""
+SIGNED = frozenset({"friction", "friction_coefficient", *units.SIGNED})
+"""Columns that may be zero or negative: inputs that may, and friction, which a drift of the force sensor can take there."""
+FEW = 5
+"""Lines named one by one in a notice."""
+
+_MINUS = str.maketrans({"−": "-", "\u00a0": None, "\u202f": None, "\u2009": None})
+_HEADER = re.compile(r"^(?P<name>[^\[\](){}/]*?)\s*(?:\[(?P<square>[^\]]*)\]|\((?P<round>.*)\)|/\s*(?P<slash>.+)|)\s*$")
+
+
+@dataclass(frozen=True)
+class Table:
+    """Columns of a file in SI.
+
+    Attributes
+    ----------
+    source : str
+        Name of the file.
+    columns : mapping of str to ndarray, shape (rows,)
+        In SI; nan where an optional cell is missing.
+    lines : ndarray of int, shape (rows,)
+        Where each row stands in the file.
+    notices : tuple of str
+        What was left out, with the lines.
+    """
+
+    source: str
+    columns: Mapping[str, Array]
+    lines: NDArray[np.integer]
+    notices: tuple[str, ...] = ()
+
+    def __len__(self) -> int:
+        return self.lines.size
+
+
+def read_table(
+    path: str | os.PathLike[str],
+    required: Sequence[str],
+    *,
+    optional: Sequence[str] = (),
+    rename: Mapping[str, str] | None = None,
+    drop_repeats: bool = False,
+    drop_missing: bool = False,
+) -> Table:
+    """Read columns of a CSV file whose header gives the units, as in ``load [mN], speed [mm/s]``.
+
+    Parameters
+    ----------
+    path : path
+        The file: UTF-8 (or UTF-16 with its mark), columns parted by commas, semicolons or tabs.
+    required, optional : sequence of str
+        Names of the columns: keys of `softlube.physical.contact.KINDS`, or dimensionless ones.
+    rename : mapping of str to str, optional
+        Header in the file, without its unit, for the name of a column where it differs.
+    drop_repeats : bool
+        Count a row once that repeats an earlier one in every cell of the file.
+    drop_missing : bool
+        Leave out, with a notice, rows in which a required cell is missing; otherwise they are refused.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, a column or its unit is missing or wrong, or a cell is no number or not positive; the
+        message names file, line and column.
+    """
+    path = Path(path)
+    lines = _content(path, _text(path))
+    number, first = next(lines, (0, ""))
+    if number and re.fullmatch(r"sep=.", first.strip()):  # spreadsheets write which separator they use
+        number, first = next(lines, (0, ""))
+    if not number:
+        raise InputError(f"{path.name}, line 1: the file is empty; expected a header such as 'load [mN], speed [mm/s]'")
+    separator = next((mark for mark in ";\t" if mark in first), ",")
+    header = [cell.strip() for cell in next(csv.reader([first], delimiter=separator, skipinitialspace=True))]
+    rows, where, repeated_headers = _rows(path, lines, separator, header)
+    if not rows:
+        raise InputError(f"{path.name}, line {number}: there are no rows below the header")
+    found = _columns(path, number, header, required, optional, rename or {})
+
+    notices = [_notice("the header stands again in", repeated_headers)] if repeated_headers else []
+    if drop_repeats:
+        rows, where, again = _without_repeats(rows, where)
+        if again:
+            notices.append(_notice("repeated and counted once:", again))
+    by_column = list(zip(*rows, strict=True))
+    comma = separator != "," and _decimal_comma(path, header, found, by_column, where)
+    lines_array = np.array(where)
+    columns: dict[str, Array] = {}
+    for name, (index, factor) in found.items():
+        columns[name] = factor * _numbers(path, header[index], name, by_column[index], where, comma)
+    keep = np.ones(lines_array.size, dtype=bool)
+    for name in required:
+        gaps = np.isnan(columns[name])
+        if gaps.any() and not drop_missing:
+            raise InputError(f"{path.name}, line {lines_array[gaps][0]}: {name} is missing; expected {_expected(name)}")
+        if gaps.any():
+            notices.append(_notice(f"without {name}, left out:", lines_array[gaps].tolist()))
+            keep &= ~gaps
+    if not keep.any():
+        raise InputError(f"{path.name}, line {lines_array[0]}: no row has all of {', '.join(required)}")
+    return Table(path.name, {name: values[keep] for name, values in columns.items()}, lines_array[keep], tuple(notices))
+
+
+def header_names(path: str | os.PathLike[str]) -> list[str]:
+    """Names of a file's columns, without units, as `read_table` understands them."""
+    path = Path(path)
+    for _, first in _content(path, _text(path)):
+        if not re.fullmatch(r"sep=.", first.strip()):
+            separator = next((mark for mark in ";\t" if mark in first), ",")
+            return [_name_and_unit(cell)[0] for cell in next(csv.reader([first], delimiter=separator, skipinitialspace=True))]
+    return []
+
+
+def _text(path: Path) -> str:
+    try:
+        raw = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{path}: the file does not exist") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    encoding = "utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
+    try:
+        text = raw.decode(encoding)
+    except UnicodeDecodeError as error:
+        line = raw[: error.start].count(b"\n") + 1
+        raise InputError(f"{path.name}, line {line}: not UTF-8 text; save the table as CSV in UTF-8") from None
+    if "\0" in text:
+        raise InputError(f"{path.name}, line {text[: text.index(chr(0))].count(chr(10)) + 1}: not a text file; save it as CSV")
+    return text
+
+
+def _content(path: Path, text: str) -> Iterator[tuple[int, str]]:
+    """Lines with something on them, comments cut off, numbered from 1."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if "#" in line:
+            line = line[: line.index("#")]
+        if line.strip(" \t,;"):
+            yield number, line
+
+
+def _rows(
+    path: Path, lines: Iterator[tuple[int, str]], separator: str, header: list[str]
+) -> tuple[list[list[str]], list[int], list[int]]:
+    rows: list[list[str]] = []
+    where: list[int] = []
+    again: list[int] = []
+    width = len(header)
+    for number, line in lines:
+        cells = (
+            line.split(separator) if '"' not in line else next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+        )
+        if len(cells) != width:
+            while len(cells) > width and not cells[-1].strip():  # separators at the end of a line
+                cells.pop()
+            if len(cells) != width:
+                advice = "; a decimal comma needs semicolons or tabs between the columns" if separator == "," else ""
+                advice = advice if len(cells) > width else ""
+                raise InputError(f"{path.name}, line {number}: {len(cells)} cells under {width} columns{advice}")
+        if cells[0].strip() == header[0] and [cell.strip() for cell in cells] == header:
+            again.append(number)
+            continue
+        rows.append(cells)
+        where.append(number)
+    return rows, where, again
+
+
+def _name_and_unit(cell: str) -> tuple[str, str | None]:
+    match = _HEADER.match(cell.strip())
+    if match is None:
+        return cell.strip(), None
+    unit = next((match[group] for group in ("square", "round", "slash") if match[group] is not None), None)
+    name = re.sub(r"[\s\-]+", "_", match["name"].strip().lower())
+    return ALIASES.get(name, name), unit if unit is None else unit.strip().strip("()")
+
+
+def _columns(
+    path: Path, line: int, header: list[str], required: Sequence[str], optional: Sequence[str], rename: Mapping[str, str]
+) -> dict[str, tuple[int, float]]:
+    """Index and factor to SI of every column wanted."""
+    wanted = {_name_and_unit(theirs)[0]: ours for theirs, ours in rename.items()}
+    found: dict[str, tuple[int, float]] = {}
+    for index, cell in enumerate(header):
+        name, unit = _name_and_unit(cell)
+        name = wanted.get(name, name)
+        if name not in (*required, *optional):
+            continue
+        if name in found:
+            raise InputError(f"{path.name}, line {line}: two columns are called {name}; keep one of them")
+        if name in DIMENSIONLESS:
+            if unit not in (None, "", "1", "-"):
+                raise InputError(f"{path.name}, line {line}: {name} has no unit, got {unit!r}")
+            found[name] = index, 1.0
+            continue
+        if not unit:
+            example = KINDS[name][1].split()[-1].strip("'")
+            raise InputError(
+                f"{path.name}, line {line}: {name} has no unit; expected one in the header, as in '{name} [{example}]'"
+            )
+        try:
+            found[name] = index, unit_factor(name, unit)
+        except InputError:
+            message = f"{name} cannot be in {unit!r}; expected a unit of {KINDS[name][1]}"
+            raise InputError(f"{path.name}, line {line}: {message}") from None
+    missing = [name for name in required if name not in found]
+    if missing:
+        has = ", ".join(repr(cell) for cell in header)
+        raise InputError(f"{path.name}, line {line}: no column {', '.join(missing)}; the header has {has}")
+    return found
+
+
+def _without_repeats(rows: list[list[str]], where: list[int]) -> tuple[list[list[str]], list[int], list[int]]:
+    seen: set[tuple[str, ...]] = set()
+    kept: list[list[str]] = []
+    lines: list[int] = []
+    again: list[int] = []
+    for row, line in zip(rows, where, strict=True):
+        key = tuple(cell.strip() for cell in row)
+        if key in seen:
+            again.append(line)
+            continue
+        seen.add(key)
+        kept.append(row)
+        lines.append(line)
+    return kept, lines, again
+
+
+def _decimal_comma(
+    path: Path,
+    header: list[str],
+    found: Mapping[str, tuple[int, float]],
+    by_column: Sequence[Sequence[str]],
+    where: Sequence[int],
+) -> bool:
+    """Whether commas are decimal signs; a file that has commas and points is refused."""
+    first: dict[str, tuple[int, str]] = {}
+    for index, _ in found.values():
+        for mark in ".,":
+            row = next((i for i, cell in enumerate(by_column[index]) if mark in cell), None)
+            if row is not None and (mark not in first or where[row] < first[mark][0]):
+                first[mark] = where[row], by_column[index][row].strip()
+    if len(first) == 2:
+        line, cell = max(first.values())
+        other_line, other = min(first.values())
+        raise InputError(
+            f"{path.name}, line {line}: {cell!r} here and {other!r} in line {other_line}: is the decimal sign a comma or a "
+            "point? Use one of them, and no signs between thousands"
+        )
+    return "," in first
+
+
+def _numbers(path: Path, title: str, name: str, cells: Sequence[str], where: Sequence[int], comma: bool) -> Array:
+    try:
+        values = np.array(list(map(float, cells)))
+    except ValueError:
+        values = np.array([_number(path, title, name, cell, where[i], comma) for i, cell in enumerate(cells)])
+    impossible = np.isinf(values)
+    if name not in SIGNED:
+        impossible |= values <= 0
+    if impossible.any():
+        row = int(np.argmax(impossible))
+        kind = "a finite number" if name in SIGNED else "a positive, finite number"
+        raise InputError(f"{path.name}, line {where[row]}: {name}: expected {kind} under {title!r}, got {cells[row].strip()!r}")
+    return values
+
+
+def _number(path: Path, title: str, name: str, cell: str, line: int, comma: bool) -> float:
+    text = cell.strip().translate(_MINUS)
+    if text.lower() in MISSING:
+        return np.nan
+    try:
+        return float(text.replace(",", ".") if comma and text.count(",") == 1 else text)
+    except ValueError:
+        raise InputError(
+            f"{path.name}, line {line}: {name}: {cell.strip()!r} under {title!r} is no number (units belong in the header)"
+        ) from None
+
+
+def _expected(name: str) -> str:
+    return KINDS[name][1].replace("such as", "in the unit of the header, such as") if name in KINDS else "a number"
+
+
+def _notice(text: str, lines: Sequence[int]) -> str:
+    named = ", ".join(str(line) for line in lines[:FEW])
+    more = f" and {len(lines) - FEW} more" if len(lines) > FEW else ""
+    return f"{text} line{'s' if len(lines) > 1 else ''} {named}{more}"

@@ -1,0 +1,272 @@
+"""`softlube reproduce`: solve what the paper's figures need, draw them, and write data, solutions and a report."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from softlube.errors import InputError
+from softlube.paper.figures import FIGURES, Case, FigureSpec, Statement
+from softlube.paper.figures.base import BALL_ON_RUBBER, WIDE
+from softlube.paper.report import Law, Section, law_table, write_report
+from softlube.steady.solution import Solution
+
+RESOLUTION = 200
+"""Dots per inch of the PNG files."""
+FOLDERS = ("figures", "data", "solutions")
+COSTLY = 3.0
+"""A β of ten times this logarithm takes as long as a full film: where the longest jobs are put first."""
+
+Progress = Callable[[int, int, str], None]
+
+
+@dataclass(frozen=True)
+class Reproduction:
+    """What was written.
+
+    Attributes
+    ----------
+    folder : Path
+    sections : tuple of Section
+        One for each figure, in the order of the report.
+    laws : tuple of Law
+        The paper's laws beside ours; empty where not all their solutions were needed.
+    solutions : mapping of Case to Solution
+    seconds : float
+    """
+
+    folder: Path
+    sections: tuple[Section, ...]
+    laws: tuple[Law, ...]
+    solutions: Mapping[Case, Solution]
+    seconds: float
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Every file written."""
+        return tuple(sorted(path for path in self.folder.rglob("*") if path.is_file()))
+
+
+def chosen_figures(keys: Iterable[str]) -> list[FigureSpec]:
+    """Figures by their keys, all if none is given.
+
+    Raises
+    ------
+    InputError
+        If a key is unknown.
+    """
+    keys = list(dict.fromkeys(keys))
+    for key in keys:
+        if key not in FIGURES:
+            raise InputError(f"figure: there is no figure {key!r}; expected one of {', '.join(FIGURES)}")
+    return [spec for key, spec in FIGURES.items() if not keys or key in keys]
+
+
+def solve_case(case: Case) -> Solution:
+    """Solve one case at the accuracy that its figures want."""
+    if case.physical:
+        from softlube.physical.contact import Contact
+
+        return Contact(**BALL_ON_RUBBER).solve()
+    from softlube.steady.ladder import solve
+
+    return solve(case.beta, cavitation=case.cavitation, accuracy=case.accuracy)
+
+
+def _solve_and_save(case: Case, folder: Path) -> Solution:
+    solution = solve_case(case)
+    solution.save(folder / "solutions" / f"{case.name}.nc")
+    return solution
+
+
+def _draw_and_save(key: str, solutions: Mapping[Case, Solution], folder: Path, data: Path | None) -> Section:
+    """Draw one figure and write its pictures and tables; called in a process of its own."""
+    from softlube.files.writing import whole_file
+
+    spec = FIGURES[key]
+    drawn = spec.draw(solutions, data) if key == "13" else spec.draw(solutions)
+    picture = folder / "figures" / f"{spec.stem}.png"
+    with whole_file(picture) as temporary:
+        drawn.figure.savefig(temporary, dpi=RESOLUTION)
+    with whole_file(picture.with_suffix(".pdf")) as temporary:
+        drawn.figure.savefig(temporary)
+    tables = []
+    for table in drawn.tables:
+        path = folder / "data" / f"{spec.stem}-{table.name}.csv"
+        table.write(path)
+        tables.append(path.name)
+    return Section(spec.key, spec.heading, spec.caption, picture, tuple(tables), tuple(drawn.statements))
+
+
+def reproduce(
+    folder: str | os.PathLike[str],
+    figures: Sequence[str] = (),
+    *,
+    data: str | os.PathLike[str] | None = None,
+    processes: int | None = None,
+    progress: Progress | None = None,
+) -> Reproduction:
+    """Solve, draw and report the paper's figures.
+
+    Parameters
+    ----------
+    folder : path-like
+        Where to write; made if it does not exist.  Gets figures/ (PNG and PDF), data/ (CSV), solutions/ (NetCDF) and
+        report.html.
+    figures : sequence of str
+        Keys of `softlube.paper.figures.FIGURES`; all if empty.
+    data : path-like, optional
+        CSV file with measured friction for Fig. 13; see `softlube.paper.figures.measured.read_friction`.
+    processes : int, optional
+        Number of processes; by default as many as there are processors, at most four.
+    progress : callable, optional
+        Called with the number of jobs done, of all jobs, and the name of the last one.
+
+    Returns
+    -------
+    Reproduction
+
+    Raises
+    ------
+    InputError
+        If a figure is unknown, the data cannot be read, or the folder cannot be written to.
+    NotConvergedError
+        If a case cannot be solved.
+    """
+    began = time.perf_counter()
+    specs = chosen_figures(figures)
+    if processes is None:
+        processes = min(os.cpu_count() or 1, 4)
+    if processes < 1:
+        raise InputError(f"processes: expected a positive number, got {processes!r}")
+    measured = None if data is None else Path(data)
+    if measured is not None:
+        if not any(spec.key == "13" for spec in specs):
+            raise InputError("data: measured friction goes into figure 13, which is not among those asked for")
+        from softlube.paper.figures.measured import read_friction
+
+        read_friction(measured)
+    target = _prepared(folder)
+    solutions, sections = _run(specs, target, measured, processes, progress)
+    wide = [solutions.get(Case(beta)) for beta in WIDE]
+    known = [solution for solution in wide if solution is not None]
+    laws = law_table(known) if len(known) == len(WIDE) else ()
+    if laws:
+        _write_laws(laws, target / "data" / "laws.csv")
+    seconds = time.perf_counter() - began
+    write_report(target / "report.html", sections, laws, len(solutions), seconds)
+    return Reproduction(target, tuple(sections), tuple(laws), solutions, seconds)
+
+
+def _prepared(folder: str | os.PathLike[str]) -> Path:
+    target = Path(folder)
+    if target.exists() and not target.is_dir():
+        raise InputError(f"{os.fspath(folder)!r} is a file; expected the name of a folder")
+    try:
+        for name in FOLDERS:
+            (target / name).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"the folder {os.fspath(folder)!r} cannot be made ({error.strerror})") from None
+    if not os.access(target, os.W_OK):
+        raise InputError(f"the folder {os.fspath(folder)!r} cannot be written to")
+    return target
+
+
+def _effort(case: Case) -> float:
+    """Rough time of a case, to start the long ones first."""
+    return case.beta ** (1 / COSTLY) * (3 if case.cavitation == "none" or case.accuracy < 1e-3 else 1) + 100 / case.beta
+
+
+@contextmanager
+def _one_thread_each() -> Iterator[None]:
+    """Keep the linear algebra of the processes to one thread each: they share the processors."""
+    before = os.environ.get("OPENBLAS_NUM_THREADS")
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ["OPENBLAS_NUM_THREADS"]
+        else:
+            os.environ["OPENBLAS_NUM_THREADS"] = before
+
+
+def _leave_interrupts_to_the_parent() -> None:
+    """A process of the pool: Ctrl-C ends the parent, which ends the pool; the children would only complain."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _run(
+    specs: Sequence[FigureSpec], folder: Path, data: Path | None, processes: int, progress: Progress | None
+) -> tuple[dict[Case, Solution], list[Section]]:
+    """Solve and draw, each figure as soon as its cases are there."""
+    cases = sorted({case for spec in specs for case in spec.cases}, key=_effort, reverse=True)
+    solutions: dict[Case, Solution] = {}
+    sections: dict[str, Section] = {}
+    total = len(cases) + len(specs)
+
+    def report(what: str) -> None:
+        if progress is not None:
+            progress(len(solutions) + len(sections), total, what)
+
+    report("starting")
+    if processes == 1:
+        for case in cases:
+            solutions[case] = _solve_and_save(case, folder)
+            report(f"solved {case.name}")
+        for spec in specs:
+            sections[spec.key] = _draw_and_save(spec.key, {c: solutions[c] for c in spec.cases}, folder, data)
+            report(f"drew {spec.stem}")
+        return solutions, [sections[spec.key] for spec in specs]
+
+    import multiprocessing
+
+    context = multiprocessing.get_context("spawn")
+    with (
+        _one_thread_each(),
+        ProcessPoolExecutor(processes, mp_context=context, initializer=_leave_interrupts_to_the_parent) as pool,
+    ):
+        try:
+            solving: dict[Future[Solution], Case] = {pool.submit(_solve_and_save, case, folder): case for case in cases}
+            drawing: dict[Future[Section], FigureSpec] = {}
+            waiting = list(specs)
+            while solving or drawing:
+                jobs: list[Future[Any]] = [*solving, *drawing]
+                done, _ = wait(jobs, return_when=FIRST_COMPLETED)
+                for future in done:
+                    if future in solving:
+                        case = solving.pop(future)
+                        solutions[case] = future.result()
+                        report(f"solved {case.name}")
+                    else:
+                        spec = drawing.pop(future)
+                        sections[spec.key] = future.result()
+                        report(f"drew {spec.stem}")
+                for spec in [s for s in waiting if all(case in solutions for case in s.cases)]:
+                    waiting.remove(spec)
+                    own = {case: solutions[case] for case in spec.cases}
+                    drawing[pool.submit(_draw_and_save, spec.key, own, folder, data)] = spec
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+    return solutions, [sections[spec.key] for spec in specs]
+
+
+def _write_laws(laws: Sequence[Law], path: Path) -> None:
+    from softlube.paper.figures import Table
+
+    columns = {name: [getattr(law, name) for law in laws] for name in Law.__dataclass_fields__}
+    Table("laws", {name: ["" if value is None else value for value in values] for name, values in columns.items()}).write(path)
+
+
+def disagreements(reproduction: Reproduction) -> list[tuple[Section, Statement]]:
+    """Where the paper and we disagree."""
+    return [(s, statement) for s in reproduction.sections for statement in s.statements if statement.verdict == "disagrees"]

@@ -1,0 +1,131 @@
+"""Pictures of curves: a fit against its data (Fig. 13), a Stribeck curve."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from softlube.experiments.friction_model import PAPER_FIT
+from softlube.files.writing import check_destination, whole_file
+from softlube.plots.solution import check_format
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from softlube.experiments.fit import Fit
+
+STYLE = {
+    "font.size": 8,
+    "axes.titlesize": 8,
+    "axes.grid": True,
+    "grid.alpha": 0.25,
+    "legend.fontsize": 7,
+    "legend.frameon": False,
+}
+COLOURS = ("#1b6ca8", "#c1432e", "#4c8c4a", "#7a5195", "#b8860b", "#444444")
+MOST_DOTS = 20_000
+"""Points drawn; more would be a blot, and a file of many megabytes."""
+
+
+def _write(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
+    if path is not None:
+        check_format("plot", path)
+        with whole_file(check_destination("plot", path)) as temporary:
+            figure.savefig(temporary, dpi=200)
+    return figure
+
+
+def plot_fit(found: Fit, path: str | os.PathLike[str] | None = None) -> Figure:
+    """The data on the master curve, and the residuals along it.
+
+    Parameters
+    ----------
+    found : Fit
+        From `softlube.fit`.
+    path : path, optional
+        Written to if given (PNG, PDF, SVG by its ending).
+    """
+    from matplotlib import rc_context
+    from matplotlib.figure import Figure
+
+    with rc_context(STYLE):
+        figure = Figure(figsize=(7.0, 3.0), layout="constrained")
+        collapse, residuals = figure.subplots(1, 2)
+        _collapse(collapse, found)
+        _residuals(residuals, found)
+        estimate = ", ".join(f"{name.replace('_', ' ')} = {e.value:.3g} {e.unit}" for name, e in found.estimates.items())
+        figure.suptitle(f"{found.model.data.source}: {estimate}", fontsize=8)
+        return _write(figure, path)
+
+
+def _some(size: int) -> slice:
+    return slice(None, None, -(-size // MOST_DOTS))
+
+
+def _collapse(ax: Axes, found: Fit) -> None:
+    master = found.model.master
+    assert master is not None
+    beta, friction = found.points
+    some = _some(beta.size)
+    load = 1e3 * found.model.data.load
+    dots = ax.scatter(beta[some], friction[some], c=load[some], s=9, cmap="viridis", linewidths=0, zorder=3)
+    ax.figure.colorbar(dots, ax=ax, label="load [mN]")
+    low, high = max(beta.min() / 2, master.low), min(beta.max() * 2, master.high)
+    line = np.geomspace(low, high, 200)
+    ax.plot(line, master.friction(line, force=found.model.force), color="black", lw=1, label="softlube, sliding")
+    ax.plot(line, PAPER_FIT[0] * line ** -PAPER_FIT[1], ":", color="black", lw=1, label="paper, Eq. (28)")
+    ax.set(xscale="log", yscale="log", xlabel=r"$\beta$", ylabel=r"$3F/(2\pi G\delta^2)$")
+    ax.legend(loc="lower left")
+
+
+def _residuals(ax: Axes, found: Fit) -> None:
+    some = _some(found.beta.size)
+    percent = 100 if found.model.noise == "relative" else 1
+    ax.scatter(found.beta[some], percent * found.residuals[some], s=9, linewidths=0, color=COLOURS[0], zorder=3)
+    ax.axhline(0, color="black", lw=0.8)
+    for side in (-2, 2):
+        ax.axhline(side * percent * found.scatter, color="black", lw=0.8, ls=":")
+    label = "ln(measured/model) [%]" if percent == 100 else "(measured − model) over median friction"
+    ax.set(xscale="log", xlabel=r"$\beta$", ylabel=label)
+    ax.set_title("dotted: twice the scatter", loc="right", fontsize=7)
+
+
+def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None = None, *, against: str = "hersey") -> Figure:
+    """Friction coefficient and film of `softlube.experiments.stribeck.stribeck_curve`.
+
+    Parameters
+    ----------
+    table : pandas.DataFrame
+        From `stribeck_curve`.
+    path : path, optional
+        Written to if given (PNG, PDF, SVG by its ending).
+    against : {"hersey", "speed"}
+        What the curves are drawn against.
+    """
+    from matplotlib import rc_context
+    from matplotlib.figure import Figure
+
+    column = "hersey" if against == "hersey" else "entrainment_speed [m/s]"
+    label = "Hersey number ηUR/N" if against == "hersey" else "entrainment speed [m/s]"
+    with rc_context(STYLE):
+        figure = Figure(figsize=(7.0, 3.0), layout="constrained")
+        friction, film = figure.subplots(1, 2)
+        for number, (load, rows) in enumerate(table.groupby("load [N]", sort=False)):
+            colour = COLOURS[number % len(COLOURS)]
+            coefficient = np.abs(rows["friction_coefficient"])
+            friction.plot(rows[column], coefficient, color=colour, lw=1.2, label=f"{1e3 * float(str(load)):.4g} mN")
+            film.plot(rows[column], 1e9 * rows["film_center [m]"], color=colour, lw=1.2)
+            film.plot(rows[column], 1e9 * rows["film_min [m]"], "--", color=colour, lw=1.2)
+            if "lambda" in rows and not number:
+                height = float((rows["film_min [m]"] / rows["lambda"]).dropna().iloc[0])
+                film.axhline(3e9 * height, color="0.5", lw=0.8, ls=":")
+        friction.set(xscale="log", yscale="log", xlabel=label, ylabel="friction coefficient (magnitude)")
+        film.set(xscale="log", yscale="log", xlabel=label, ylabel="film [nm]: centre (full), least (dashed)")
+        if "lambda" in table:
+            film.set_title("dotted: λ = 3", loc="right", fontsize=7)
+        friction.legend()
+        return _write(figure, path)

@@ -1,0 +1,245 @@
+"""Pictures of a solution; the only module that touches axes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from softlube.errors import InputError
+from softlube.model.exact import hertz_pressure
+from softlube.physical.units import prefixed
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from softlube.steady.solution import Solution
+    from softlube.theory.master_curve import Curve
+
+MAP_RADIUS = 1.4
+PROFILE_RADIUS = 2.0
+FILM_COLOUR, PRESSURE_COLOUR = "#0072B2", "#D55E00"  # Okabe & Ito, safe for colour-blind readers
+STYLE = {
+    "font.size": 8,
+    "axes.labelsize": 8,
+    "axes.titlesize": 8,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "legend.fontsize": 7,
+    "axes.linewidth": 0.6,
+    "lines.linewidth": 1.1,
+    "savefig.dpi": 300,
+    "font.family": "sans-serif",
+    "mathtext.fontset": "dejavusans",
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
+}
+
+
+def check_format(name: str, path: str | os.PathLike[str]) -> None:
+    """Refuse a picture format that matplotlib cannot write, before anything is solved.
+
+    Raises
+    ------
+    InputError
+    """
+    ending = os.path.splitext(path)[1].lower().lstrip(".")
+    if ending not in ("png", "pdf", "svg"):
+        raise InputError(f"{name}: expected a file ending in .png, .pdf or .svg, got {os.fspath(path)!r}")
+
+
+def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
+    """Length, film and pressure: factor from normalised to the plotted unit, and label."""
+    if solution.contact is None:
+        unit = r"\delta" if solution.problem.load_controlled else "|h_0|"
+        return 1.0, rf"$\,/\,\sqrt{{R{unit}}}$", 1.0, rf"film $u/{unit}$", 1.0, rf"pressure $p\,/\,4\pi G\sqrt{{{unit}/R}}$"
+    dimensional, quantities = solution.dimensional, solution.quantities
+
+    def scale(name: str) -> float:
+        return float(dimensional[name]) / float(quantities[name])
+
+    film_factor, film_unit = prefixed(float(dimensional["film_center"]), "m")
+    pressure_factor, pressure_unit = prefixed(_highest(solution) * scale("pressure_center"), "Pa")
+    length_factor, length_unit = prefixed(float(dimensional["contact_radius"]) * _width(solution), "m")
+    return (
+        float(dimensional["contact_radius"]) * length_factor,
+        f" [{length_unit}]",
+        scale("film_center") * film_factor,
+        f"film $u$ [{film_unit}]",
+        scale("pressure_center") * pressure_factor,
+        f"pressure $p$ [{pressure_unit}]",
+    )
+
+
+def _highest(solution: Solution) -> float:
+    """The maximum pressure, or that on the nodes where a spike has none."""
+    highest = float(solution.quantities["pressure_max"])
+    return highest if np.isfinite(highest) else float(solution.fields.pressure.max())
+
+
+def _width(solution: Solution) -> float:
+    """How much wider than a contact the pressure is: as wide as a thick film allows."""
+    return max(1.0, 0.9 * np.sqrt(2 * float(solution.quantities["film_center"])))
+
+
+def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figure:
+    """Maps of film and pressure, and their profiles in the two mid-planes.
+
+    The inlet is on the right, as in the paper: the sphere slides in the direction +x.
+
+    Parameters
+    ----------
+    solution : Solution
+        Physical or dimensionless; the axes follow.
+    path : path-like, optional
+        Where to write the picture; its ending (.png, .pdf, .svg) gives the format.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    import matplotlib as mpl
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(6.9, 5.6), layout="constrained")
+        FigureCanvasAgg(figure)
+        axes = figure.subplots(2, 2, height_ratios=(1.35, 1))
+        _map(axes[0, 0], solution, "film")
+        _map(axes[0, 1], solution, "pressure")
+        _profile(axes[1, 0], solution, "x")
+        _profile(axes[1, 1], solution, "y")
+        for label, ax in zip("abcd", axes.flat, strict=True):
+            ax.set_title(f"({label})", loc="left")
+        name = r"\beta_N" if solution.problem.load_controlled else r"\beta"
+        figure.suptitle(rf"${name}$ = {solution.problem.parameter:.4g}", fontsize=9)
+        if path is not None:
+            from softlube.files.writing import check_destination, whole_file
+
+            check_format("plot", path)
+            with whole_file(check_destination("plot", path)) as temporary:
+                figure.savefig(temporary)
+    return figure
+
+
+def _map(ax: Axes, solution: Solution, field: str) -> None:
+    """One field over the plane, with the Hertz contact as a circle."""
+    from matplotlib.ticker import MaxNLocator
+
+    length, length_label, film, film_label, pressure, pressure_label = _scales(solution)
+    axis = np.linspace(-MAP_RADIUS, MAP_RADIUS, 401) * _width(solution)
+    x, y = np.meshgrid(axis, axis)
+    r, theta = np.hypot(x, y), np.arctan2(y, x)
+    fields = solution.fields
+    if field == "film":
+        values = fields.film_at(r, theta) * film
+        # The film outside the contact is tens of times that inside, where the interest lies.
+        high = 1.8 * float(solution.quantities["film_center"]) * film
+        low = float(np.nanmin([solution.quantities["film_min"], fields.film.min()])) * film  # the first may not be given
+        levels = MaxNLocator(24).tick_values(low, high)
+        mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap="viridis", extend="max")
+        label = film_label
+        r_min, angle = (
+            float(solution.quantities["film_min_radius"]),
+            np.radians(float(solution.quantities["film_min_angle_deg"])),
+        )
+        spots = np.array([1, -1]) * r_min * np.sin(angle)
+        ax.plot([r_min * np.cos(angle) * length] * 2, spots * length, "+", color="white", ms=5, mew=0.9)
+    else:
+        values = fields.pressure_at(r, theta) * pressure
+        levels = MaxNLocator(14).tick_values(min(values.min(), 0.0), values.max())
+        mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap="magma")
+        label = pressure_label
+    mesh.set_edgecolor("face")
+    if _width(solution) == 1:
+        angle = np.linspace(0, 2 * np.pi, 200)
+        ax.plot(np.cos(angle) * length, np.sin(angle) * length, "--", color="white", lw=0.7)
+    ax.annotate(
+        "inlet",
+        (0.985, 0.5),
+        xycoords="axes fraction",
+        ha="right",
+        va="center",
+        rotation=-90,
+        color="black" if field == "film" else "white",  # on the brightest and the darkest colour of the maps
+        fontsize=7,
+    )
+    ax.set(aspect="equal", xlabel=f"$x${length_label}", ylabel=f"$y${length_label}")
+    bar = ax.figure.colorbar(mesh, cax=ax.inset_axes((1.04, 0, 0.05, 1)), label=label, ticks=levels[::2])
+    bar.outline.set_linewidth(0.5)
+
+
+def _profile(ax: Axes, solution: Solution, direction: str) -> None:
+    """Film (left axis) and pressure (right axis) along x or y."""
+    length, length_label, film, film_label, pressure, pressure_label = _scales(solution)
+    fields = solution.fields
+    place = _dense_line(solution)
+    theta = (np.where(place >= 0, 0.0, np.pi)) if direction == "x" else np.pi / 2
+    r = np.abs(place)
+    center = float(solution.quantities["film_center"]) * film
+    ax.plot(place * length, fields.film_at(r, theta) * film, color=FILM_COLOUR)
+    ax.set(
+        xlabel=f"${direction}${length_label}",
+        xlim=np.array([-1, 1]) * PROFILE_RADIUS * _width(solution) * length,
+        ylim=(0, 3.5 * center),
+    )
+    ax.set_ylabel(film_label, color=FILM_COLOUR)
+    ax.tick_params(axis="y", colors=FILM_COLOUR)
+    other = ax.twinx()
+    other.plot(place * length, fields.pressure_at(r, theta) * pressure, color=PRESSURE_COLOUR)
+    if _width(solution) == 1:
+        other.plot(place * length, hertz_pressure(r) * pressure, ":", color="0.35", lw=0.9, label="Hertz")
+        other.legend(loc="upper center", frameon=False)
+    other.set_ylabel(pressure_label, color=PRESSURE_COLOUR)
+    other.tick_params(axis="y", colors=PRESSURE_COLOUR)
+    if solution.problem.cavitation == "reynolds":
+        other.set_ylim(0, 1.15 * _highest(solution) * pressure)
+
+
+def _dense_line(solution: Solution) -> NDArray[np.float64]:
+    """Points along a diameter, dense where the grid is."""
+    nodes = solution.fields.r
+    fine = np.interp(np.arange(0, nodes.size - 1, 0.125), np.arange(nodes.size), nodes)
+    end = PROFILE_RADIUS * _width(solution)
+    fine = np.concatenate([[0.0], fine[fine < end], [end]])
+    return np.concatenate([-fine[::-1], fine[1:]])
+
+
+def plot_curves(curves: Mapping[str, Curve], symbol: str, between: tuple[float, float]) -> Figure:
+    """Master curves with their errors, and below them the local exponents d ln q/d ln β.
+
+    Parameters
+    ----------
+    curves : mapping of str to Curve
+        By name of the quantity; see `softlube.curve.curve`.
+    symbol : {"beta", "beta_load"}
+        Which β.
+    between : tuple of float
+        Smallest and largest β.
+    """
+    import matplotlib as mpl
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    from softlube.discretization.measure import DESCRIPTION
+
+    beta = np.geomspace(*between, 400)
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(3.5, 4.2), layout="constrained")
+        FigureCanvasAgg(figure)
+        upper, lower = figure.subplots(2, 1, sharex=True)
+        colours = mpl.colormaps["viridis"](np.linspace(0, 0.85, len(curves)))
+        for (name, curve), colour in zip(curves.items(), colours, strict=True):
+            value, error = curve(beta)
+            upper.loglog(beta, np.abs(value), color=colour, lw=1.2, label=DESCRIPTION[name])
+            upper.fill_between(beta, np.abs(value) - error, np.abs(value) + error, color=colour, alpha=0.3, lw=0)
+            lower.semilogx(beta, curve.exponent(beta), color=colour, lw=1.2)
+        upper.legend(fontsize=6)
+        upper.set_ylabel("normalised value")
+        lower.set(xlabel=r"$\beta$" if symbol == "beta" else r"$\beta$ by the load", ylabel="local exponent", xlim=between)
+    return figure

@@ -1,0 +1,191 @@
+"""Friction in its parts, and the balance of forces on sphere, film and substrate.
+
+All forces are over a disc r ≤ cutoff and in units of (2π/3) G h₀², Eq. (26).  With the film's thickness u, the heights h and w
+of its walls and the shear stresses (25) on them, the liquid's momentum balance u ∂p/∂x = τ(h) − τ(w) gives
+
+    ∫τ(h) dA + 6β∫p ∂h/∂x dA = ∫τ(w) dA + 6β∫p ∂w/∂x dA + 6β∮ p u cos θ ds     (each over β)
+
+drag on the sphere = drag on the substrate + pressure on the film's edge.  The half-space adds a condition of its own: a
+frictionless load cannot drag itself, ∫p ∂w/∂x dA = 0 over the whole plane, because (2) is symmetric.  So the whole horizontal
+force on the sphere, pressure included, is the substrate's shear and the edge's pressure; the paper's friction (27a) is the
+shear on the sphere alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import ArrayLike, NDArray
+
+from softlube.discretization.measure import integrate
+from softlube.model.exact import far_field_profile
+from softlube.steady.solution import Solution
+
+Array = NDArray[np.floating]
+
+
+@dataclass(frozen=True)
+class FrictionSplit:
+    """Horizontal forces over r ≤ cutoff, in units of (2π/3) G h₀²; positive where they resist the sliding.
+
+    Attributes
+    ----------
+    cutoff : float
+    couette : float
+        (1/β)∫(η/η₀)/ū dA, the same on both walls.
+    poiseuille : float
+        3∫ū ∂p̄/∂x dA, what the pressure gradient adds on the sphere and takes from the substrate.
+    sphere_pressure : float
+        6∫p̄ ∂h̄/∂x dA, the pressure's horizontal component on the sphere, which (27a) leaves out.
+    substrate_pressure : float
+        6∫p̄ ∂w̄/∂x dA, the same on the substrate.
+    edge : float
+        6∮p̄ ū cos θ ds, the pressure on the edge of the film at the cut-off.
+    """
+
+    cutoff: float
+    couette: float
+    poiseuille: float
+    sphere_pressure: float
+    substrate_pressure: float
+    edge: float
+
+    @property
+    def sphere(self) -> float:
+        """Shear on the sphere, Eq. (27a)."""
+        return self.couette + self.poiseuille
+
+    @property
+    def substrate(self) -> float:
+        """Shear on the substrate."""
+        return self.couette - self.poiseuille
+
+    @property
+    def drag(self) -> float:
+        """The whole horizontal force on the sphere, shear and pressure."""
+        return self.sphere + self.sphere_pressure
+
+    @property
+    def imbalance(self) -> float:
+        """What is left of the horizontal balance of the film, over the drag: 0 but for quadrature."""
+        return (self.drag - self.substrate - self.substrate_pressure - self.edge) / self.drag
+
+
+def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
+    """Friction over r ≤ cutoff in its Couette and Poiseuille parts, with the pressure's horizontal components.
+
+    Parameters
+    ----------
+    solution : Solution
+        Where to integrate.
+    cutoff : float
+        Radius in units of √(R|h₀|), at most the solution's reach.  Behind the free boundary the gap counts as full, as in
+        (27a).
+
+    Raises
+    ------
+    ValueError
+        If the cutoff is not positive or beyond the solution.
+    """
+    fields = solution.fields
+    chart = fields.chart
+
+    def cosines(s: Array) -> Array:
+        return np.cos(chart.theta_of(s))
+
+    def couette(xi: Array, s: Array) -> Array:
+        return fields.viscosity_on(xi, s) / (fields.beta * fields.film_spline(xi, s))
+
+    def poiseuille(xi: Array, s: Array) -> Array:
+        return 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0]
+
+    def on_sphere(xi: Array, s: Array) -> Array:
+        return 6 * fields.pressure_spline(xi, s) * chart.r_of(xi)[:, None] * cosines(s)
+
+    def film_slope(xi: Array, s: Array) -> Array:
+        r, theta = chart.r_of(xi)[:, None], chart.theta_of(s)
+        u_r = fields.film_spline(xi, s, dx=1) / chart.dr_dxi(r)
+        u_t = fields.film_spline(xi, s, dy=1) / chart.dtheta_ds(s) / r
+        return np.cos(theta) * u_r - np.sin(theta) * u_t
+
+    def on_substrate(xi: Array, s: Array) -> Array:
+        return on_sphere(xi, s) - 6 * fields.pressure_spline(xi, s) * film_slope(xi, s)
+
+    x, weight = leggauss(64)
+    s = np.pi * (x + 1) / 2
+    xi = chart.xi_of(np.array([cutoff]))
+    pu = (fields.pressure_spline(xi, s) * fields.film_spline(xi, s))[0]
+    edge = 12 * cutoff * float(np.sum(pu * cosines(s) * chart.dtheta_ds(s) * weight)) * np.pi / 2
+    return FrictionSplit(
+        cutoff=float(cutoff),
+        couette=integrate(fields, couette, cutoff) + solution.friction_missed(cutoff),
+        poiseuille=integrate(fields, poiseuille, cutoff),
+        sphere_pressure=integrate(fields, on_sphere, cutoff),
+        substrate_pressure=integrate(fields, on_substrate, cutoff),
+        edge=edge,
+    )
+
+
+def against_cutoff(solution: Solution, cutoffs: ArrayLike) -> list[FrictionSplit]:
+    """`split` for each of several cut-off radii."""
+    return [split(solution, float(cutoff)) for cutoff in np.ravel(cutoffs)]
+
+
+@dataclass(frozen=True)
+class VerticalBalance:
+    """Vertical forces, in units of 4πG|h₀|√(R|h₀|).
+
+    Attributes
+    ----------
+    load : float
+        The solution's load, by the quadrature of the discretisation.
+    sphere : float
+        ∫p̄ dA from the interpolated pressure, the far field (9) beyond it in closed form.
+    substrate : float
+        The load that the substrate feels: what must act at the centre to explain its mean displacement on a circle far out.
+    """
+
+    load: float
+    sphere: float
+    substrate: float
+
+    @property
+    def imbalance(self) -> float:
+        """Largest relative difference from `load`."""
+        return max(abs(self.sphere / self.load - 1), abs(self.substrate / self.load - 1))
+
+
+def vertical_balance(solution: Solution, radius: float = 8.0) -> VerticalBalance:
+    """Load on the sphere against that on the substrate, by two ways that share neither quadrature nor kernel with the solver.
+
+    The mean of (6b) over the circle of nodes nearest to `radius`, a, is −∫p (2/π) K(k)/max(r, a) dA, k = min(r, a)/max(r, a),
+    with the complete elliptic integral K.
+    """
+    from scipy.special import ellipkm1
+
+    fields = solution.fields
+    chart = fields.chart
+    ring = int(np.argmin(np.abs(fields.r - radius)))
+    radius, reach = float(fields.r[ring]), float(fields.r[-1])
+    angle = np.linspace(0, np.pi, 2001)
+    profile = far_field_profile(angle, fields.cavitation) / fields.beta
+    far_mean = float(np.trapezoid(profile, angle)) / np.pi
+    inside = integrate(fields, lambda xi, s: fields.pressure_spline(xi, s), reach)
+    sphere = inside + 2 * np.pi * far_mean / reach
+
+    def influence(r: Array) -> Array:
+        small, large = np.minimum(r, radius), np.maximum(r, radius)
+        gap = np.maximum((large - small) * (large + small) / large**2, 1e-300)
+        return 2 / np.pi * ellipkm1(gap) / large
+
+    # The quadrature's points miss the circle itself, where the kernel has a logarithm and the pressure hardly anything.
+    near = integrate(fields, lambda xi, s: fields.pressure_spline(xi, s) * influence(chart.r_of(xi))[:, None], reach)
+    beyond = np.geomspace(reach, 1e4 * reach, 4001)
+    far = 2 * np.pi * far_mean * float(np.trapezoid(influence(beyond) / beyond, np.log(beyond)))
+    # On the nodes themselves: between them the film's parabola would drown the displacement in interpolation errors.
+    s = chart.s_of(fields.theta)
+    displacement = (fields.height + radius**2 / 2 - fields.film[ring]) * chart.dtheta_ds(s)
+    mean = float(np.trapezoid(displacement, s)) / np.pi
+    return VerticalBalance(float(fields.load), sphere, sphere + radius * (-mean - near - far))

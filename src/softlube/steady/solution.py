@@ -1,0 +1,222 @@
+"""A solution: fields, quantities with their errors, and how they were obtained."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from softlube.discretization.fields import Fields
+from softlube.errors import InputError
+from softlube.model.problem import Problem
+from softlube.model.quantities import Quantity
+
+if TYPE_CHECKING:
+    import os
+
+    import xarray
+    from matplotlib.figure import Figure
+
+    from softlube.physical.contact import Contact
+
+
+class Record(Protocol):
+    """A piece of a method's history: a Newton step, a run of relaxation sweeps."""
+
+    @property
+    def count(self) -> int:
+        """Number of steps or sweeps in it."""
+        ...
+
+    def summary(self) -> dict[str, Any]:
+        """Plain values, ready for JSON."""
+        ...
+
+
+@dataclass(frozen=True)
+class SavedRecord:
+    """A record read back from a file, which keeps summaries only."""
+
+    values: Mapping[str, Any]
+
+    @property
+    def count(self) -> int:
+        """Number of steps or sweeps in it."""
+        return int(self.values["sweeps"])
+
+    def summary(self) -> dict[str, Any]:
+        """The values."""
+        return dict(self.values)
+
+
+@dataclass(frozen=True)
+class Level:
+    """One grid on the way to the answer: its cells (n_r × n_theta), the quantities on it, what the method did, how long; the
+    fields, unless it was read from a file.
+    """
+
+    n_r: int
+    n_theta: int
+    values: Mapping[str, float]
+    history: tuple[Record, ...]
+    seconds: float
+    fields: Fields | None = None
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What `softlube.solve` returns.
+
+    Quantities are attributes: ``solution.film_min`` is a float with an ``.error``; ``solution.quantities`` has them all, and
+    ``solution.dimensional`` the same in SI units if the input was physical.
+
+    Attributes
+    ----------
+    problem : Problem
+        What was solved.
+    fields : Fields
+        Pressure and film as functions of position, normalised like the quantities; `dataset` has them as an xarray Dataset.
+    quantities : mapping of str to Quantity
+        See `softlube.discretization.measure.DESCRIPTION`.  Normalised with what is prescribed:
+        with |h₀| as in the paper where that is, with the Hertz indentation δ of the load, Eq. (29), where the load is.
+    beta, beta_load : float
+        β of Eq. (6d) and β of Eq. (30).
+    accuracy : float
+        Relative accuracy asked for; nan for the paper's methods, which have one mesh.
+    levels : tuple of Level
+        The grids solved, coarse to fine.
+    method : str
+        The solver: "newton", or the paper's "relaxation" or "cartesian".
+    converged : bool
+    contact : Contact or None
+        The physical input.
+    dimensional : mapping of str to Quantity
+        SI values; empty for a dimensionless problem.
+    warnings : tuple of str
+        Doubts about the physics of the input.
+    saved_quantities : mapping of str to Quantity
+        `other_quantities`, where they were read from a file.
+    """
+
+    problem: Problem
+    fields: Fields
+    quantities: Mapping[str, Quantity]
+    beta: float
+    beta_load: float
+    accuracy: float
+    levels: tuple[Level, ...]
+    method: str = "newton"
+    converged: bool = True
+    contact: Contact | None = None
+    dimensional: Mapping[str, Quantity] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+    saved_quantities: Mapping[str, Quantity] = field(default_factory=dict)
+
+    @cached_property
+    def other_quantities(self) -> Mapping[str, Quantity]:
+        """Quantities normalised the other way; empty for h₀ ≥ 0, where |h₀| is no scale.  See `normalised`."""
+        if any(level.fields is None for level in self.levels):
+            return self.saved_quantities
+        from softlube.steady.ladder import normalised_otherwise
+
+        return normalised_otherwise(self.problem, self.levels, self.quantities)
+
+    def normalised(self, by: str) -> Mapping[str, Quantity]:
+        """Quantities normalised with the indentation |h₀| or with the Hertz indentation of the load.
+
+        Parameters
+        ----------
+        by : {"indentation", "load"}
+            Which of the two.
+
+        Raises
+        ------
+        InputError
+            If `by` is neither, or for "indentation" where h₀ ≥ 0.
+        """
+        if by not in ("indentation", "load"):
+            raise InputError(f"by: expected 'indentation' or 'load', got {by!r}")
+        own = "load" if self.problem.load_controlled else "indentation"
+        quantities = self.quantities if by == own else self.other_quantities
+        if not quantities:
+            raise InputError(
+                f"by: this solution has no normalisation by {by}: the sphere does not dip into the substrate (h0 >= 0)"
+            )
+        return quantities
+
+    def __getattr__(self, name: str) -> Quantity:
+        if not name.startswith("_") and name in self.__dict__.get("quantities", {}):
+            return self.quantities[name]
+        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.quantities})
+
+    def __repr__(self) -> str:
+        return (
+            f"<Solution beta={self.beta:.6g} film_center={self.quantities['film_center']} "
+            f"film_min={self.quantities['film_min']} friction_domain={self.quantities['friction_domain']}>"
+        )
+
+    def friction_within(self, cutoff: float) -> float:
+        """Normalised friction force over r ≤ cutoff (normalised too), Eq. (27a)."""
+        from softlube.discretization.measure import friction_within
+
+        return friction_within(self.fields, cutoff) + self.friction_missed(cutoff)
+
+    def friction_missed(self, cutoff: float) -> float:
+        """What `fields` miss of that: the liquid in a pressure spike too steep for their mesh, 0 in most contacts.
+
+        All of it where the disc holds the spike's place on the outlet axis, nothing else; nan where no mesh resolves the spike.
+        """
+        place = self.quantities.get("spike_radius", Quantity(0.0))
+        missed = float(self.quantities["friction_domain"]) - self.levels[-1].values["friction_domain"]
+        return missed if cutoff > place else 0.0
+
+    @property
+    def dataset(self) -> xarray.Dataset:
+        """Fields, quantities, inputs and version as one xarray Dataset."""
+        from softlube.files.netcdf import to_dataset
+
+        return to_dataset(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Numbers only, ready for JSON."""
+
+        def plain(quantities: Mapping[str, Quantity], unit: bool) -> dict[str, dict[str, Any]]:
+            return {
+                name: {"value": _number(q.value), "error": _number(q.error), **({"unit": q.unit} if unit else {})}
+                for name, q in quantities.items()
+            }
+
+        result = {
+            "beta": self.beta,
+            "beta_load": self.beta_load,
+            "cavitation": self.problem.cavitation,
+            "accuracy": _number(self.accuracy),
+            "converged": self.converged,
+            "method": self.method,
+            "quantities": plain(self.quantities, unit=False),
+        }
+        if self.contact is not None:
+            result["dimensional"] = plain(self.dimensional, unit=True)
+        return result | {"warnings": list(self.warnings)}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write everything to a NetCDF file, whole or not at all; `softlube.load` reads it back."""
+        from softlube.files.netcdf import save
+
+        save(self, path)
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
+        """Film and pressure maps and mid-plane profiles; written to `path` if given (PNG, PDF, SVG by its ending)."""
+        from softlube.plots.solution import plot
+
+        return plot(self, path)
+
+
+def _number(x: float) -> float | None:
+    return float(x) if np.isfinite(x) else None

@@ -1,0 +1,1 @@
+"""The Petrusevich spike: where it stands, meshes about it, what they say."""

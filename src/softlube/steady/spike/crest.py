@@ -1,0 +1,274 @@
+"""What close-ups say of a steep spike: how high it is, where it stands, and what the liquid in it does to the friction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+
+from softlube.discretization.fields import Fields
+from softlube.discretization.measure import CONTACT, DOMAIN, boundary_layer, friction_within, poiseuille_within
+from softlube.model.problem import Problem
+from softlube.model.quantities import Quantity
+from softlube.steady.error_estimate import yardstick
+from softlube.steady.mesh import contact_edge
+from softlube.steady.spike.closeup import NEAR_RIDGE, WIDTHS, CloseUp, close_ups
+from softlube.steady.spike.detection import (
+    LARGEST_SPIKE_ERROR,
+    SHARPEST,
+    SPIKE_QUANTITIES,
+    ridge_error,
+    tracked,
+    wants_close_up,
+)
+
+Array = NDArray[np.floating]
+
+AHEAD = 20, 3
+"""Nodes ahead of the fall from whose pressures the height is taken, the furthest and the nearest."""
+DISCS = {"friction_contact": CONTACT, "friction_domain": DOMAIN}
+"""Cut-off radii of the frictions."""
+LEAST_ERROR = {
+    "spike_pressure": 6e-3,
+    "spike_radius": 2e-4,
+    "friction_contact": 4e-3,
+    "friction_domain": 4e-3,
+    "boundary_layer": 1e-3,
+}
+"""Relative errors that such meshes leave (measured against 45 angles and cells half as wide)."""
+OF_WHAT_GRIDS_MISS = 0.1
+"""Error of a friction over what the contact's own grids miss of it."""
+SAME_FILM = 1e-2
+"""Relative difference of the minimum films up to which a mesh is taken to see the same contact."""
+
+
+class Crest(NamedTuple):
+    """The pressure ahead of the fall at one angle.
+
+    Attributes
+    ----------
+    pressure, radius : float
+        How high, and where.
+    residual : float
+        How far the nodes are off the profile that it is taken from.
+    fall : float
+        By how much ln η falls to the next node.
+    column : ndarray
+        Pressures at this angle, the profile's close to the fall.
+    """
+
+    pressure: float
+    radius: float
+    residual: float
+    fall: float
+    column: Array
+
+
+class Reading(NamedTuple):
+    """A number that one close-up gives, and how far it is known to be off."""
+
+    value: float
+    doubt: float
+
+
+def crest(fields: Fields, angle: int, fall: int) -> Crest:
+    """The pressure at the angle of an index, ahead of the fall after the node of another.
+
+    Where the fall is narrower than a cell, the pressure rises towards it like p_s − C x ln(1/x), x being the distance.  The
+    last nodes alternate about that, an artefact of interpolating across the fall, so they are smoothed and the very last left
+    out.
+    """
+    r, pressure = fields.r, fields.pressure[:, angle]
+    ahead, behind = np.log(fields.fluid.viscosity(pressure[fall : fall + 2]))
+    if ahead - behind < SHARPEST:
+        top = fall
+        while top > 0 and pressure[top - 1] > pressure[top]:
+            top -= 1
+        return Crest(float(pressure[top]), float(r[top]), 0.0, float(ahead - behind), pressure)
+    i = np.arange(max(fall - AHEAD[0], 1), fall + 1)
+    smooth = (pressure[i - 1] + 2 * pressure[i] + pressure[i + 1]) / 4
+    middle = float(r[fall] + r[fall + 1]) / 2
+    x = middle - r[i]
+    profile = np.column_stack([np.ones_like(x), x * np.log(x), x])
+    trusted = i <= fall - AHEAD[1]
+    coefficients = np.linalg.lstsq(profile[trusted], smooth[trusted], rcond=None)[0]
+    column = pressure.copy()
+    column[i] = profile @ coefficients
+    residual = float(np.max(np.abs(column[i] - smooth)[trusted]))
+    return Crest(float(coefficients[0]), middle, residual, float(ahead - behind), column)
+
+
+def readings(seen: CloseUp, poiseuille: Mapping[str, float]) -> dict[str, Reading]:
+    """What one close-up says.
+
+    Parameters
+    ----------
+    seen : CloseUp
+        The close-up.
+    poiseuille : mapping of str to float
+        Poiseuille parts of the frictions, which the spike does not decide.
+    """
+    fields = seen.fields
+    outlet = np.flatnonzero(fields.theta > np.pi / 2)
+    crests = [crest(fields, int(k), int(seen.fall[k])) for k in outlet]
+    axis, highest = crests[-1], max(crests, key=lambda each: each.pressure)
+    place = seen.shift + axis.radius
+    least = max(LEAST_ERROR["spike_pressure"], 0.0 if highest is axis else ridge_error(highest.fall))
+    result = {
+        "spike_pressure": Reading(axis.pressure, max(axis.residual, LEAST_ERROR["spike_pressure"] * axis.pressure)),
+        "spike_radius": Reading(place, max(seen.cell, LEAST_ERROR["spike_radius"] * place)),
+        "pressure_max": max(
+            Reading(highest.pressure, max(highest.residual, least * highest.pressure)),
+            largest_elsewhere(seen),
+        ),
+    }
+    mended = fields.pressure.copy()
+    mended[:, outlet] = np.column_stack([each.column for each in crests])
+    for name, cutoff in DISCS.items():
+        # The nodes as they are put too much liquid under high pressure; a profile on wide cells, too little.
+        much, little = (couette_within(seen, pressure, cutoff) for pressure in (fields.pressure, mended))
+        value = (much + little) / 2 + poiseuille[name]
+        result[name] = Reading(value, max(abs(much - little) / 2, LEAST_ERROR[name] * value))
+    return result
+
+
+def largest_elsewhere(seen: CloseUp) -> Reading:
+    """The largest pressure at a node that is not close to the ridge, and by how much the least of its neighbours is lower."""
+    fields = seen.fields
+    away = (fields.r[:, None] < (1 - NEAR_RIDGE) * seen.radius) | (fields.theta <= np.pi / 2)
+    i, j = np.unravel_index(int(np.argmax(np.where(away, fields.pressure, -np.inf))), away.shape)
+    around = fields.pressure[max(i - 1, 0) : i + 2, max(j - 1, 0) : j + 2]
+    return Reading(float(fields.pressure[i, j]), float(fields.pressure[i, j] - around.min()))
+
+
+def couette_within(seen: CloseUp, pressure: Array, cutoff: float) -> float:
+    """Couette part of Eq. (27a) over the disc r ≤ cutoff about the contact's centre; p and u are linear between the nodes."""
+    fields = seen.fields
+    chart = fields.chart
+    nodes = chart.xi_of(fields.r)
+    x, weight = leggauss(4)
+    rays = np.empty(fields.theta.size)
+    for k, theta in enumerate(fields.theta):
+        rim = seen.shift * np.cos(theta) + np.sqrt(cutoff**2 - (seen.shift * np.sin(theta)) ** 2)
+        end = float(chart.xi_of(rim))
+        edges = np.concatenate([[0.0], nodes[nodes < end], [end]])
+        xi = (edges[:-1, None] + np.diff(edges)[:, None] * (x + 1) / 2).ravel()
+        r = chart.r_of(xi)
+        area = (np.diff(edges)[:, None] * weight / 2).ravel() * chart.dr_dxi(r) * r
+        viscosity = fields.fluid.viscosity(np.interp(xi, nodes, pressure[:, k]))
+        rays[k] = area @ (viscosity / np.interp(xi, nodes, fields.film[:, k])) / fields.beta
+    s = chart.s_of(fields.theta)
+    rays[[0, -1]] /= 2
+    return float(2 * (s[1] - s[0]) * rays @ chart.dtheta_ds(s))
+
+
+def spike_quantities(
+    problem: Problem, grids: Sequence[Fields], quantities: Mapping[str, Quantity], progress: Callable[[str], None] | None = None
+) -> dict[str, Quantity]:
+    """What is known of a spike, and what goes by it, where that is better known than from the contact's grids.
+
+    Parameters
+    ----------
+    problem : Problem
+        The contact.
+    grids : sequence of Fields
+        Solutions on the contact's grids, coarse to fine.
+    quantities : mapping of str to Quantity
+        What they give; nan for what they do not.
+    progress : callable, optional
+        Called with a line of text after each further mesh.
+    """
+    known = tracked(grids)
+    if not wants_close_up(grids[-1], known):
+        return known
+    before = {**quantities, **known}
+    closer = resolve_spike(problem, grids[-1], progress)
+    return known | {name: each for name, each in closer.items() if name not in before or not before[name].error <= each.error}
+
+
+def resolve_spike(problem: Problem, fields: Fields, progress: Callable[[str], None] | None = None) -> dict[str, Quantity]:
+    """What goes by a spike that the contact's own grids cannot resolve, in the problem's own unit; nothing where a mesh fails.
+
+    Errors are the largest of the last change, half the one before, and what the last close-up itself leaves, the frictions' at
+    least a share of what the contact's own grids miss; no number whose error would be above 10 %.
+
+    Parameters
+    ----------
+    problem : Problem
+        A contact with a spike on the outlet axis.
+    fields : Fields
+        Its solution on a mesh about its centre.
+    progress : callable, optional
+        Called with a line of text after each mesh.
+    """
+    poiseuille = {name: poiseuille_within(fields, cutoff) for name, cutoff in DISCS.items()}
+    seen, said = [], []
+    for each in close_ups(problem, fields):
+        seen.append(each)
+        said.append(readings(each, poiseuille))
+        if progress is not None:
+            shape = " x ".join(map(str, each.fields.pressure.shape))
+            progress(f"{shape} nodes about the spike solved in {each.seconds:.2f} s")
+    lowest = float(np.min(fields.film))
+    if len(seen) < len(WIDTHS) or abs(np.min(seen[-1].fields.film) - lowest) > SAME_FILM * lowest:
+        return {}
+    found = {name: _settled([each[name] for each in said[1:]]) for name in said[-1]}
+    for name, cutoff in DISCS.items():
+        missed = OF_WHAT_GRIDS_MISS * abs(found[name] - friction_within(fields, cutoff))
+        found[name] = Quantity(found[name], max(found[name].error, missed))
+    found["boundary_layer"] = _layer(fields, found["pressure_max"], contact_edge(problem))
+    return {name: each for name, each in found.items() if each.error <= LARGEST_SPIKE_ERROR * yardstick(name, found)}
+
+
+def _settled(said: Sequence[Reading]) -> Quantity:
+    value = np.array([each.value for each in said])
+    change = np.abs(np.diff(value))
+    return Quantity(value[-1], max(change[-1], change[-2] / 2, said[-1].doubt))
+
+
+def _layer(fields: Fields, pressure_max: Quantity, edge: float) -> Quantity:
+    """The inlet's boundary layer, which the spike decides only as what 5 % are taken of."""
+    value = boundary_layer(fields, pressure_max, edge)
+    off = [
+        abs(boundary_layer(fields, pressure_max + error, edge) - value) for error in (-pressure_max.error, pressure_max.error)
+    ]
+    least = LEAST_ERROR["boundary_layer"] * yardstick("boundary_layer", {"boundary_layer": value})
+    return Quantity(value, max(*off, least))
+
+
+def in_other_unit(
+    own: Mapping[str, Quantity],
+    on_grid: Mapping[str, float],
+    fields: Fields,
+    values: Mapping[str, float],
+    unit: float,
+    edge: float,
+) -> dict[str, Quantity]:
+    """The same numbers normalised with another unit of height.
+
+    Parameters
+    ----------
+    own : mapping of str to Quantity
+        All quantities of the solution.
+    on_grid : mapping of str to float
+        What its finest grid gave for them.
+    fields : Fields
+        In the other unit.
+    values : mapping of str to float
+        What they give.
+    unit : float
+        The other unit over the solution's own.
+    edge : float
+        See `softlube.steady.mesh.contact_edge`, in the other unit.
+    """
+    lengths = [name for name in SPIKE_QUANTITIES if name in own]  # pressures go like the root of the unit, too
+    result = {name: Quantity(own[name] * unit**-0.5, own[name].error * unit**-0.5) for name in lengths}
+    for name in DISCS:
+        # Another disc, but the spike is in both, and so is what the grid has missed.
+        missed = (own[name] - on_grid[name]) * unit**-2
+        result[name] = Quantity(values[name] + missed, own[name].error * unit**-2)
+    result["boundary_layer"] = _layer(fields, result["pressure_max"], edge)
+    return result

@@ -1,0 +1,148 @@
+"""The Petrusevich spike: the crest of the pressure ahead of the outlet, under a liquid that thickens with the pressure."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlube.discretization.fields import Fields
+from softlube.model.liquids import Fluid
+from softlube.model.quantities import Quantity
+
+Array = NDArray[np.floating]
+
+OUTLET = np.array([np.pi])
+SHARP, SHARPEST = 0.3, 2.0
+"""Change of ln η from a node to the next along r, in the outlet half: up to which the pressure is smooth to the grid, and
+beyond which a spike is a needle on one node (measured)."""
+NEAR = 0.6, 1.1
+"""Where the spike on the outlet axis is looked for, over the radius of the film's crest."""
+LEFT_OF_FIRST_ORDER = 2.0
+"""Error over the last change of what converges like the spacing, on grids 1.5 times finer each."""
+BETWEEN_NODES = 0.25
+"""How far a spike's height hangs on where the nodes are, over the fall to the next of them (measured)."""
+RIDGE_ERROR = 0.06
+"""Relative error of the largest pressure beside the axis, where the ridge runs askew to the mesh and is a needle (measured)."""
+LARGEST_SPIKE_ERROR = 0.1
+"""Relative error up to which what goes by a spike is given."""
+WELL_KNOWN = 0.02
+"""Relative error of its height up to which a spike needs no mesh of its own."""
+DESCRIPTION = {"spike_pressure": "pressure spike on the outlet axis", "spike_radius": "radius of the spike"}
+SPIKE_QUANTITIES = ("pressure_max", *DESCRIPTION)
+"""What a close-up of the spike gives, see `softlube.steady.spike.closeup`."""
+OPEN_SPIKE = (
+    "the pressure has a spike at r = {:.2f} (outlet axis) that is narrower than the finest cells and grows from grid to grid, "
+    "so there is no maximum pressure, and nothing that goes by it; the films do not depend on it (docs/viscosity.md)"
+)
+"""What a solution with such a spike warns of; the radius over the unit of length."""
+COARSE_SPIKE = (
+    "the pressure has a spike at r = {:.2f} (outlet axis) that the contact's finest cells hardly resolve; not given, because "
+    "the error would be above 10 %: {}; the films do not depend on it (docs/viscosity.md)"
+)
+"""The same where the spike has a height, and what it decides is not known well enough."""
+
+
+def outlet_crest(fields: Fields) -> float:
+    """Radius on the outlet axis at which the film leaves its plateau: where a spike stands, or will stand as it grows.
+
+    The thickened liquid is carried along like a plate, so the film is flat up to the crest and falls beyond it, towards its
+    minimum on the axis: its curvature has an extremum in between, long before the pressure has a maximum there.
+    """
+    chart = fields.chart
+    lowest = np.argmin(np.where(fields.r < 2, fields.film[:, -1], np.inf))
+    xi = np.linspace(0.0, float(chart.xi_of(fields.r[lowest])), 400)[1:]
+    r = chart.r_of(xi)
+    slope = fields.film_spline(xi, OUTLET, dx=1)[:, 0] / chart.dr_dxi(r)
+    return float(r[np.argmin(np.gradient(slope, r))])
+
+
+def outlet_spike(fields: Fields) -> tuple[Array, Array] | None:
+    """Radius and pressure of the node where the spike stands on the outlet axis, and how far the grid can tell them.
+
+    That is a cell's width, and a share of the fall to the higher neighbour.  None where the pressure only falls.
+    """
+    crest = outlet_crest(fields)
+    pressure = fields.pressure[:, -1]
+    here = np.flatnonzero((pressure[1:-1] > pressure[:-2]) & (pressure[1:-1] > pressure[2:])) + 1
+    here = here[(fields.r[here] > NEAR[0] * crest) & (fields.r[here] < NEAR[1] * crest)]
+    if not here.size:
+        return None
+    i = int(here[np.argmax(pressure[here])])
+    doubt = fields.r[i + 1] - fields.r[i], BETWEEN_NODES * (pressure[i] - max(pressure[i - 1], pressure[i + 1]))
+    return np.array([fields.r[i], pressure[i]]), np.array(doubt)
+
+
+def steepest_fall(fields: Fields) -> float:
+    """Largest change of ln η from a node to the next along r, in the outlet half: 0 for constant viscosity."""
+    outlet = fields.pressure[:, fields.theta > np.pi / 2]
+    return float(np.max(np.abs(np.diff(np.log(fields.fluid.viscosity(outlet)), axis=0))))
+
+
+def fall_from_top(fields: Fields) -> float:
+    """Largest change of ln η from a node to the next along r, within two nodes of the largest pressure."""
+    i, j = np.unravel_index(int(np.argmax(fields.pressure)), fields.pressure.shape)
+    near = fields.pressure[max(i - 2, 0) : i + 3, j]
+    return float(np.max(np.abs(np.diff(np.log(fields.fluid.viscosity(near))))))
+
+
+def ridge_error(fall: float) -> float:
+    """Relative error of the height of a ridge that runs askew to the mesh, from the change of ln η across a cell of it."""
+    return RIDGE_ERROR * min(fall / SHARPEST, 1.0)
+
+
+def is_sharp(fields: Fields) -> bool:
+    """Whether the pressure is no smooth function to the grid: what goes by its crest converges like the spacing only."""
+    return steepest_fall(fields) > SHARP
+
+
+def is_needle(fields: Fields) -> bool:
+    """Whether the crest stands on one node, so that what goes by it is not known from these nodes at all."""
+    return steepest_fall(fields) > SHARPEST
+
+
+def is_compressible(fluid: Fluid) -> bool:
+    """Whether the density rises with the pressure."""
+    return bool(np.any(fluid.density(np.ones(1))[1]))
+
+
+def is_open(fields: Fields) -> bool:
+    """Whether a spike is a needle and has no height that grids could agree on, however fine.
+
+    A liquid that thickens without bound is carried along like a rigid punch, whose edge has an integrable singularity.  What is
+    denser under pressure is softer than that, and the pressure falls from a height that is finite.
+    """
+    return is_needle(fields) and not is_compressible(fields.fluid)
+
+
+def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
+    """Pressure and radius of the spike on the outlet axis over ever finer grids; nothing where there is none to agree on."""
+    before, last = (outlet_spike(fields) for fields in grids[-2:])
+    if before is None or last is None or is_needle(grids[-1]):
+        return {}
+    values, doubt = last
+    errors = np.maximum(LEFT_OF_FIRST_ORDER * np.abs(values - before[0]), doubt)
+    names = ("spike_radius", "spike_pressure")
+    spike = {name: Quantity(*pair) for name, *pair in zip(names, values, errors, strict=True)}
+    return spike if errors[1] <= LARGEST_SPIKE_ERROR * values[1] else {}
+
+
+def wants_close_up(fields: Fields, quantities: Mapping[str, Quantity]) -> bool:
+    """Whether there is a spike on the outlet axis that has a height, and the contact's own grids do not tell it well enough."""
+    if is_open(fields) or not is_sharp(fields) or outlet_spike(fields) is None:
+        return False
+    height = quantities.get("spike_pressure")
+    return height is None or height.error > WELL_KNOWN * height
+
+
+def doubts(fields: Fields, quantities: Mapping[str, Quantity]) -> tuple[str, ...]:
+    """What is said of quantities that are not given."""
+    if is_open(fields):
+        return (OPEN_SPIKE.format(outlet_crest(fields)),)
+    if not is_sharp(fields):
+        return ()  # what is nan here has other reasons
+    missing = [name for name, value in quantities.items() if np.isnan(value)]
+    if is_needle(fields) and "spike_pressure" not in quantities:
+        missing.append("spike_pressure")
+    return (COARSE_SPIKE.format(outlet_crest(fields), ", ".join(missing)),) if missing else ()

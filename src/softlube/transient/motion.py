@@ -1,0 +1,274 @@
+"""What moves the sphere, and over what: a load or a height in time, normalised as in `softlube.transient.squeeze.rings`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import CubicSpline
+
+from softlube.discretization.grid import PolarGrid
+from softlube.errors import InputError, NotConvergedError
+from softlube.model import liquids as fluids
+from softlube.model import substrates
+from softlube.model.dry import DryContact, dry_contact_at
+from softlube.model.liquids import Fluid, Newtonian
+from softlube.model.substrates import HalfSpace, Substrate
+from softlube.transient import drives
+from softlube.transient.squeeze.rings import Control, SqueezeFilm
+
+Array = NDArray[np.floating]
+
+REACH = 30.0
+"""Radius where the far field takes over, in units of the contact or of √(2h₀), whichever is larger."""
+LAYER, LAYER_MOVING, THINNEST_LAYER = 0.1, 0.2, 0.003
+"""Width of the refined zone at the contact's edge, over its radius: at most, where the edge moves, and at least."""
+NECK, NECK_EXPONENT = 0.5, -0.36
+"""Under a load the neck at the edge of the dimple narrows like a power of the time (measured)."""
+DAMPING, LARGEST_ITERATIONS = 0.4, 200
+"""Of the iteration for the pressure at the start."""
+LEAST_FLUIDITY = 1e-12
+"""Where a liquid is taken to thicken without bound at the start."""
+SAMPLES = 2001
+"""Instants at which a history is looked at to find its extremes."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A history of the load or of the height.
+
+    Parameters
+    ----------
+    control : {"load", "height"}
+        What is prescribed.
+    drive : callable
+        Load ∫p dA, or height h₀ of the sphere's lowest point over the undeformed surface, at a time from 0 to `duration`.
+    initial_height : float
+        h₀ at the start, positive.
+    duration : float
+        End of the history.
+    longest_step : float
+        No time step is longer, so that none leaps over a feature of the history.
+    substrate : Substrate
+        What the sphere moves over; lengths over √(R × unit of height).
+    fluid : Fluid
+        The law of the viscosity; pressures over 4πG√(unit of height/R).
+    """
+
+    control: Control
+    drive: Callable[[float], float]
+    initial_height: float
+    duration: float
+    longest_step: float = np.inf
+    substrate: Substrate = field(default_factory=HalfSpace)
+    fluid: Fluid = field(default_factory=Newtonian)
+
+    def __post_init__(self) -> None:
+        if self.control not in ("load", "height"):
+            raise InputError(f"control: expected 'load' or 'height', got {self.control!r}")
+        for name in ("initial_height", "duration"):
+            value = getattr(self, name)
+            if not (np.isfinite(value) and value > 0):
+                raise InputError(f"{name}: expected a positive, finite number, got {value!r}")
+        if np.any(self.fluid.density(np.ones(1))[1]):
+            raise InputError("density_law: the density must be constant where the film changes with time; leave it out")
+        if not np.all(np.isfinite(self.samples)):
+            raise InputError("history: not a finite number at every time from 0 to its end")
+        if self.control == "load" and not np.any(self.samples):
+            raise InputError("load: zero all the time; nothing moves the sphere")
+
+    def to_plain(self) -> dict[str, Any]:
+        """The motion in plain values, for files.
+
+        Raises
+        ------
+        InputError
+            If its history is a function of the time that cannot be written down.
+        """
+        return {
+            "control": self.control,
+            "drive": drives.to_plain(self.drive),
+            "initial_height": self.initial_height,
+            "duration": self.duration,
+            "longest_step": self.longest_step if np.isfinite(self.longest_step) else None,
+            "substrate": substrates.to_plain(self.substrate),
+            "fluid": fluids.to_plain(self.fluid),
+        }
+
+    @classmethod
+    def from_plain(cls, values: Mapping[str, Any]) -> Motion:
+        """Inverse of `to_plain`."""
+        parts: dict[str, Any] = {
+            "drive": drives.from_plain(values["drive"]),
+            "longest_step": np.inf if values["longest_step"] is None else values["longest_step"],
+            "substrate": substrates.from_plain(values["substrate"]),
+            "fluid": fluids.from_plain(values["fluid"]),
+        }
+        return cls(**(dict(values) | parts))
+
+    @cached_property
+    def samples(self) -> Array:
+        """The history at evenly spaced times."""
+        return drives.sampled(self.drive, np.linspace(0, self.duration, SAMPLES))
+
+    def in_units(self, unit: float) -> Motion:
+        """The same motion normalised with another unit of height, given over the present one."""
+        clock, size = unit**1.5, unit**-1.5 if self.control == "load" else 1 / unit
+        return replace(
+            self,
+            drive=lambda t: size * self.drive(t / clock),
+            initial_height=self.initial_height / unit,
+            duration=self.duration * clock,
+            longest_step=self.longest_step * clock,
+            substrate=self.substrate.in_units(unit),
+            fluid=self.fluid.in_units(unit),
+        )
+
+    @cached_property
+    def deepest(self) -> DryContact | None:
+        """The dry contact at the lowest height, None for a sphere that stays above the undeformed surface.
+
+        Under a load: the one under the largest load, unless a rigid sphere, sinking by Taylor's law, does not come so far.
+        """
+        samples = self.samples
+        if self.control == "height":
+            lowest = float(samples.min())
+            return dry_contact_at(self.substrate, indentation=-lowest) if lowest < 0 else None
+        largest = float(samples.max())
+        dry = dry_contact_at(self.substrate, load=largest) if largest > 0 else None
+        return dry if dry is not None and self._rigid_height <= dry.indentation else None
+
+    @property
+    def _rigid_height(self) -> float:
+        """Where a rigid sphere comes to under a load, like exp(−(2/π) ∫N dt)."""
+        impulse = self.duration * float(np.mean(np.maximum(self.samples, 0.0)))
+        return self.initial_height * float(np.exp(-min(2 * impulse / np.pi, 50.0)))
+
+    @property
+    def lowest_height(self) -> float:
+        """Lowest h₀ on the way, as far as it can be told beforehand: that of `deepest`, or a rigid sphere's."""
+        if self.control == "height":
+            return float(self.samples.min())
+        return self._rigid_height if self.deepest is None else -self.deepest.indentation
+
+    def first_pressure(self, film: SqueezeFilm) -> Array:
+        """Pressure at the start, on all rings.
+
+        A sphere that comes down has done so from afar: the pressure is what drives the liquid out from under it at the speed
+        (or with the load) of the start, −φu³ ∂p/∂r = V r/2 with the film that this pressure makes; Taylor's p = V/(4u²) where
+        the substrate hardly yields.  A sphere that is to be pulled away stands still at first: p = 0.
+
+        Raises
+        ------
+        NotConvergedError
+            If the liquid thickens so much that no pressure drives it out.
+        """
+        start = float(self.drive(0.0))
+        instant = 1e-6 * self.duration
+        speed = 1.0 if self.control == "load" else (start - float(self.drive(instant))) / instant
+        if speed <= 0 or (self.control == "load" and start <= 0):
+            return np.zeros_like(film.parabola)
+        grid = film.grid
+        pressure = np.zeros_like(film.parabola)
+        for _ in range(LARGEST_ITERATIONS):
+            u = self.initial_height + film.parabola + film.compliance @ pressure
+            fluidity, _ = film.fluid.fluidity(pressure)
+            if np.min(fluidity) < LEAST_FLUIDITY:
+                break
+            spline = CubicSpline(grid.xi, speed * grid.r * grid.dr_dxi(grid.r) / (2 * fluidity * u**3)).antiderivative()
+            driven = spline(grid.xi[-1]) - spline(grid.xi) + speed / (4 * u[-1] ** 2)
+            if self.control == "load":
+                driven *= start / film.load(driven)
+            change = driven - pressure
+            # p goes like u⁻³, so a full step would overshoot threefold where the deflection makes most of the film.
+            pressure = pressure + DAMPING * change
+            if np.max(np.abs(change)) < 1e-10 * np.max(pressure):
+                return pressure
+        raise NotConvergedError(
+            "no pressure was found that drives the liquid out at the start: the viscosity rises too steeply with the pressure"
+        )
+
+    def yielding(self) -> float:
+        """About the largest share of the film by which the substrate yields, from Taylor's pressure at the start and lowest.
+
+        Infinite where the sphere comes down to the undeformed surface.
+        """
+        lowest = self.lowest_height
+        if lowest <= 0:
+            return np.inf
+        film = SqueezeFilm.on(self.grid(64), self.control, self.substrate)
+        steps = np.diff(self.samples) * (SAMPLES - 1) / self.duration
+        shares = []
+        for height in (self.initial_height, lowest):
+            taylor = (height + film.parabola) ** -2.0
+            strength = np.max(np.abs(self.samples)) / film.load(taylor) if self.control == "load" else np.max(np.abs(steps)) / 4
+            shares.append(strength * float((film.compliance @ taylor)[0]) / height)
+        return max(shares)
+
+    def grid(self, n_r: int) -> PolarGrid:
+        """Rings that suit the history: dense at the largest contact's edge, or within √(2h₀) of a sphere that stays above."""
+        dry, lowest = self.deepest, self.lowest_height
+        edge = np.sqrt(max(2 * lowest, 0.05 * self.initial_height))
+        if dry is None:
+            layer = 0.5
+        else:
+            edge = max(edge, dry.radius)
+            # The time in units of the load's own, for which a half-space's edge is at 1: near its edge every contact is like
+            # Hertz's of the same p/√(a − r).
+            narrowing = NECK * (self.duration * (edge * dry.edge) ** 3) ** NECK_EXPONENT
+            layer = LAYER_MOVING if self.control == "height" else np.clip(narrowing, THINNEST_LAYER, LAYER)
+        reach = REACH * max(
+            1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge
+        )
+        return PolarGrid(n_r=n_r, n_theta=6, layer=float(layer), reach=float(reach), edge=float(edge))
+
+
+def constant_load(load: float, initial_height: float, duration: float) -> Motion:
+    """A constant load."""
+    return Motion("load", drives.Constant(load), initial_height, duration)
+
+
+def constant_speed(speed: float, initial_height: float, duration: float) -> Motion:
+    """A constant speed of approach; negative for separation."""
+    return Motion("height", drives.Descent(initial_height, speed), initial_height, duration)
+
+
+def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height: float | None = None) -> Motion:
+    """A history given by points; see `softlube.transient.drives.Points`.
+
+    Parameters
+    ----------
+    control : {"load", "height"}
+        What the values are.
+    time, values : array_like
+        Points, the first at time 0.
+    initial_height : float, optional
+        Under a load; of a height it is the first value.
+
+    Raises
+    ------
+    InputError
+        If there are fewer than two points, times that do not increase from 0, or values that are no numbers.
+    """
+    time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
+    if time.ndim != 1 or time.shape != values.shape or time.size < 2:
+        raise InputError("history: expected at least two points of time and load or height")
+    if not (np.all(np.isfinite(time)) and np.all(np.isfinite(values))):
+        raise InputError("history: expected finite numbers only")
+    if time[0] != 0 or np.any(np.diff(time) <= 0):
+        raise InputError("history: expected times that start at 0 and increase")
+    if control == "height":
+        initial_height = float(values[0])
+    if initial_height is None:
+        raise InputError("initial_height: missing; a history of the load does not say where the sphere starts")
+    return Motion(
+        control,
+        drives.Points(tuple(time.tolist()), tuple(values.tolist())),
+        initial_height,
+        float(time[-1]),
+        longest_step=max(2 * float(np.diff(time).min()), float(time[-1]) / 2000),
+    )

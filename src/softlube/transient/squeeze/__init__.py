@@ -1,0 +1,1 @@
+"""A sphere that moves along its axis: films of rings in time."""

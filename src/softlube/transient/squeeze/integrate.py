@@ -1,0 +1,246 @@
+"""Integration in time: SciPy's implicit multistep method (BDF) with the exact Jacobian, adaptive in step and order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
+
+from softlube.discretization.grid import PolarGrid
+from softlube.errors import InputError, NotConvergedError
+from softlube.transient.motion import Motion
+from softlube.transient.squeeze.rings import SqueezeFilm
+
+Array = NDArray[np.floating]
+
+BALANCE_RADIUS = 2.0
+"""Radius, over that of the grid's edge, within which the balance of volume is checked."""
+HISTORIES = ("film_center", "film_min", "film_min_radius", "pressure_center", "pressure_max", "pressure_min", "height", "load")
+"""What is told as a function of time."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """One integration on one grid.
+
+    Attributes
+    ----------
+    film : SqueezeFilm
+    motion : Motion
+    tolerance : float
+        Relative tolerance of the integrator on the film.
+    time : ndarray, shape (k,)
+        The accepted steps.
+    films, pressures : ndarray, shape (k, N)
+    heights, loads : ndarray, shape (k,)
+    volume, inflow : ndarray, shape (k,)
+        Liquid within `BALANCE_RADIUS`, and what has flowed in since the start, integrated on its own.
+    ended_by : {"duration", "film_limit"}
+    evaluations : int
+        Number of times that ∂u/∂t was taken.
+    dense : callable
+        Lifts on n rings at any time, by the integrator's own interpolant.
+    """
+
+    film: SqueezeFilm
+    motion: Motion
+    tolerance: float
+    time: Array
+    films: Array
+    pressures: Array
+    heights: Array
+    loads: Array
+    volume: Array
+    inflow: Array
+    ended_by: str
+    evaluations: int
+    dense: Callable[[float], Array]
+
+    @property
+    def volume_error(self) -> float:
+        """Largest defect of the balance of volume, over the largest change of the volume."""
+        change = self.volume - self.volume[0]
+        return float(np.max(np.abs(change - self.inflow)) / np.max(np.abs(change), initial=1e-300))
+
+    def histories(self, time: Array | None = None) -> dict[str, Array]:
+        """The `HISTORIES`, at the steps or at other times up to the last."""
+        if time is None:
+            return read(self.film, self.films, self.pressures, self.heights, self.loads)
+        return read(self.film, *_fields(self.film, self.motion, time, [self.dense(t) for t in time]))
+
+
+def _fields(film: SqueezeFilm, motion: Motion, time: Array, inner: Sequence[Array]) -> tuple[Array, Array, Array, Array]:
+    """Films and pressures on all rings, heights and loads, from the lifts on n rings."""
+    drive = [float(motion.drive(t)) for t in time]
+    pressures = np.array([film.pressure(lift, q) for lift, q in zip(inner, drive, strict=True)])
+    films = np.array([film.whole_film(lift, q) for lift, q in zip(inner, drive, strict=True)])
+    heights = np.array([film.height(lift, q) for lift, q in zip(inner, drive, strict=True)])
+    return films, pressures, heights, pressures @ film.load_weights
+
+
+def read(film: SqueezeFilm, films: Array, pressures: Array, heights: Array, loads: Array) -> dict[str, Array]:
+    """Read the `HISTORIES` off the fields."""
+    least, radius = _lowest(film, films)
+    return {
+        "film_center": _center(films),
+        "film_min": least,
+        "film_min_radius": radius,
+        "pressure_center": _center(pressures),
+        "pressure_max": -_lowest(film, -pressures)[0],
+        "pressure_min": _lowest(film, pressures)[0],
+        "height": heights,
+        "load": loads,
+    }
+
+
+def _center(fields: Array) -> Array:
+    """Value at r = 0 of fields even in r, by the quartic through the three innermost rings."""
+    return fields[:, :3] @ np.array([150.0, -25.0, 3.0]) / 128
+
+
+def _lowest(film: SqueezeFilm, fields: Array) -> tuple[Array, Array]:
+    """Least value of each field and its radius: of the cubic spline, at its lowest sample and by the parabola there."""
+    xi = np.concatenate([-film.grid.xi[2::-1], film.grid.xi])
+    spline = CubicSpline(xi, np.concatenate([fields[:, 2::-1], fields], axis=1).T)
+    d = film.grid.d_xi
+    node = np.argmin(fields, axis=1)
+    offsets = np.linspace(-1, 1, 41) * d
+    least, place = np.empty((2, len(fields)))
+    for k, at in enumerate(film.grid.xi[node]):
+        points = np.clip(at + offsets, 0.0, xi[-1])
+        values = spline(points)[:, k]
+        lowest = int(np.argmin(values))
+        least[k], place[k] = values[lowest], points[lowest]
+        if 0 < lowest < points.size - 1 and points[lowest - 1] > 0:
+            ahead, drop = _vertex(*values[lowest - 1 : lowest + 2])
+            place[k] += ahead * (points[lowest + 1] - points[lowest])
+            least[k] -= drop
+    return least, film.grid.r_of(place)
+
+
+def least_on_nodes(film: Array) -> float:
+    """Least film, by the parabola through the lowest ring and its neighbours."""
+    lowest = int(np.argmin(film))
+    if not 0 < lowest < film.size - 1:
+        return float(film[lowest])
+    return float(film[lowest] - _vertex(*film[lowest - 1 : lowest + 2])[1])
+
+
+def _vertex(before: float, here: float, after: float) -> tuple[float, float]:
+    """How far ahead of the middle of three values, in intervals, their parabola has its minimum, and how much lower it is."""
+    bend = before - 2 * here + after
+    return ((before - after) / (2 * bend), (before - after) ** 2 / (8 * bend)) if bend > 0 else (0.0, 0.0)
+
+
+def integrate(
+    motion: Motion,
+    *,
+    rings: int | PolarGrid,
+    tolerance: float,
+    film_limit: float = 0.0,
+    progress: Callable[[str], None] | None = None,
+) -> Run:
+    """Follow the film through a motion.
+
+    Parameters
+    ----------
+    motion : Motion
+        What moves the sphere, and over what.
+    rings : int or PolarGrid
+        Rings of the grid that suits the motion, or a grid.
+    tolerance : float
+        Relative error of the film allowed in a time step.
+    film_limit : float
+        Minimum film at which to stop.
+    progress : callable, optional
+        Called with a line of text now and then.
+
+    Raises
+    ------
+    InputError
+        If the film is below the limit from the start.
+    NotConvergedError
+        If the time step becomes too small.
+
+    Notes
+    -----
+    The integrator works on u − s with a constant s(r) = max(0, r²/2 − 2 edge²): its relative tolerance is one of the film
+    where that is thin, and one of h₀ far outside, where the film's own size, r²/2, says nothing.  It conserves volume, which is
+    linear in this unknown, to round-off.
+    """
+    grid = motion.grid(rings) if isinstance(rings, int) else rings
+    film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.fluid)
+    n = film.n
+    parabola = film.parabola[:n]
+    added = np.minimum(parabola, 2 * grid.edge**2)  # to the lift
+    inside = max(3, int(np.searchsorted(grid.r, BALANCE_RADIUS * grid.edge)))
+    to_inflow, to_volume = film.inflow_weights(inside), film.volume_weights(inside)
+    first = film.lift_under(motion.first_pressure(film), motion.initial_height)
+    thinnest = float(np.min(first + parabola))
+    if thinnest <= film_limit:
+        raise InputError(
+            f"initial_height, film_limit: the film starts at {thinnest / motion.initial_height:.3g} of the initial height, not "
+            f"above the limit, {film_limit / motion.initial_height:.3g} of it"
+        )
+
+    def rate(t: float, z: Array) -> Array:
+        flux = film.flux(z[:n] - added, float(motion.drive(t)))
+        return np.append(film.rate(flux), to_inflow @ flux)
+
+    def jacobian(t: float, z: Array) -> Array:
+        by_film = film.flux_derivative(z[:n] - added, float(motion.drive(t)))
+        whole = np.zeros((n + 1, n + 1))
+        whole[:n, :n] = film.rate(by_film)
+        whole[n, :n] = to_inflow @ by_film
+        return whole
+
+    steps = 0
+
+    def above_limit(t: float, z: Array) -> float:
+        nonlocal steps
+        steps += 1
+        if progress is not None and steps % 20 == 0:
+            progress(f"{grid.n_r} rings: {100 * t / motion.duration:.3g} % of the time, step {steps}")
+        return least_on_nodes(z[:n] - added + parabola) - film_limit
+
+    above_limit.terminal = True  # type: ignore[attr-defined]
+    least = np.full(n + 1, 1e-5 * tolerance * grid.edge**2)
+    least[n] = 0.1 * tolerance * float(to_volume @ (first + parabola))
+    result = solve_ivp(
+        rate,
+        (0.0, motion.duration),
+        np.append(first + added, 0.0),
+        method="BDF",
+        jac=jacobian,
+        rtol=tolerance,
+        atol=least,
+        max_step=motion.longest_step,
+        events=above_limit,
+        dense_output=True,
+    )
+    if not result.success or result.sol is None:
+        raise NotConvergedError(
+            f"the time integration failed at {result.t[-1] / motion.duration:.3g} of the time: {result.message}"
+        )
+    interpolant = result.sol
+    lifts = [z[:n] - added for z in result.y.T]
+    films, pressures, heights, loads = _fields(film, motion, result.t, lifts)
+    return Run(
+        film=film,
+        motion=motion,
+        tolerance=tolerance,
+        time=result.t,
+        films=films,
+        pressures=pressures,
+        heights=heights,
+        loads=loads,
+        volume=films[:, :n] @ to_volume,
+        inflow=result.y[n],
+        ended_by="film_limit" if result.status == 1 else "duration",
+        evaluations=result.nfev,
+        dense=lambda t: interpolant(t)[:n] - added,
+    )

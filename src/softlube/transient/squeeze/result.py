@@ -1,0 +1,281 @@
+"""Following a motion to a stated accuracy, and what comes of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlube.errors import InputError, NotConvergedError
+from softlube.model.quantities import Quantity
+from softlube.transient.extremes import Extremes
+from softlube.transient.motion import Motion
+from softlube.transient.squeeze.integrate import HISTORIES, Run, integrate
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+    from softlube.physical.squeeze import Setup
+
+Array = NDArray[np.floating]
+
+LADDER = (64, 91, 128, 181, 256)
+"""Rings of the grids, coarse to fine."""
+TOLERANCE = 1e-3
+"""Tolerance of a time step over the accuracy asked for: errors of several hundred steps add up."""
+LEAST_ERROR = 10.0
+"""Relative error over the tolerance that is never promised to be undercut."""
+FINEST_ACCURACY, COARSEST_ACCURACY = 1e-5, 0.1
+RIGID = 100.0
+"""Share of the film by which the substrate yields, over the tolerance, below which the film says too little of the pressure."""
+DIMPLE_RADIUS = 0.05
+"""Radius of the thinnest ring, over the contact's, from which on there is a dimple."""
+JUDGED = ("film_center", "film_min")
+"""Histories whose relative error decides when the grid is fine enough."""
+DESCRIPTION = {
+    "film_center": "film at the centre",
+    "film_min": "minimum film",
+    "film_min_radius": "radius of the minimum film",
+    "pressure_center": "pressure at the centre",
+    "pressure_max": "largest pressure",
+    "pressure_min": "smallest pressure",
+    "height": "height over the undeformed surface",
+    "load": "load",
+}
+DIMENSION = {name: "pressure" if name.startswith("pressure") else "height" for name in HISTORIES}
+DIMENSION |= {"film_min_radius": "length", "load": "load"}
+"""The scale of each history; see `Squeeze.scale`."""
+
+
+@dataclass(frozen=True)
+class Squeeze:
+    """A squeeze film as a function of time.
+
+    Attributes
+    ----------
+    run : Run
+        The finest integration, normalised (see `softlube.transient.squeeze.rings`).
+    histories, errors : mapping of str to ndarray, shape (k,)
+        `DESCRIPTION` lists them; normalised, at ``run.time``, with estimates of |value − exact|.
+    time_error : float
+        Estimated error of the time at which the film limit was reached; 0 where it was not.
+    accuracy : float
+        Relative accuracy asked of the films.
+    rings : tuple of int
+        Rings of the grids that were used.
+    setup : Setup or None
+        The physical input.
+    warnings : tuple of str
+        Doubts about the physics.
+    """
+
+    run: Run
+    histories: Mapping[str, Array]
+    errors: Mapping[str, Array]
+    time_error: float
+    accuracy: float
+    rings: tuple[int, ...]
+    setup: Setup | None = None
+    warnings: tuple[str, ...] = field(default=())
+
+    def scale(self, kind: str) -> tuple[float, str]:
+        """SI value and unit of the normalised unit of "time", "length", "height", "pressure", "load" or "volume"."""
+        if self.setup is None:
+            return 1.0, ""
+        return self.setup.units[kind]
+
+    @property
+    def time(self) -> Array:
+        """The time steps, in s if the input was physical."""
+        return self.run.time * self.scale("time")[0]
+
+    def history(self, name: str) -> Array:
+        """One of the histories, in SI units if the input was physical."""
+        return self.histories[name] * self.scale(DIMENSION[name])[0]
+
+    def error(self, name: str) -> Array:
+        """Its error, likewise."""
+        return self.errors[name] * self.scale(DIMENSION[name])[0]
+
+    @property
+    def r(self) -> Array:
+        """Radii of the rings, in m if the input was physical."""
+        return self.run.film.grid.r * self.scale("length")[0]
+
+    @property
+    def film(self) -> Array:
+        """Film thickness, shape (times, rings)."""
+        return self.run.films * self.scale("height")[0]
+
+    @property
+    def pressure(self) -> Array:
+        """Pressure, shape (times, rings)."""
+        return self.run.pressures * self.scale("pressure")[0]
+
+    @property
+    def final(self) -> dict[str, Quantity]:
+        """The histories' last values with their errors."""
+        return {
+            name: Quantity(self.history(name)[-1], self.error(name)[-1], self.scale(DIMENSION[name])[1]) for name in HISTORIES
+        }
+
+    @property
+    def dimple_time(self) -> float:
+        """When the minimum of the film leaves the axis for good; nan if it never does."""
+        radius = self.histories["film_min_radius"] / self.run.film.grid.edge
+        if radius[-1] <= DIMPLE_RADIUS:
+            return float("nan")
+        on_axis = np.flatnonzero(radius <= DIMPLE_RADIUS)
+        if not on_axis.size:
+            return float(self.time[0])
+        # The radius grows like the root of the time since then: a straight line through its squares at the first two steps.
+        first = min(on_axis[-1] + 1, radius.size - 2)
+        square, time = radius[first : first + 2] ** 2, self.time[first : first + 2]
+        born = time[0] - square[0] * (time[1] - time[0]) / max(square[1] - square[0], 1e-300)
+        return float(np.clip(born, self.time[max(on_axis[-1] - 1, 0)], self.time[on_axis[-1] + 1]))
+
+    @property
+    def extremes(self) -> Extremes:
+        """What the doubts about it go by, in SI if the input was physical."""
+        return Extremes.of(self.time, self.history)
+
+    @property
+    def dataset(self) -> Dataset:
+        """Everything as an xarray Dataset with the coordinates time and r."""
+        from softlube.files.transient import to_dataset
+
+        return to_dataset(self)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write `dataset` as NetCDF 4."""
+        from softlube.files.writing import check_destination, whole_file
+
+        with whole_file(check_destination("output", path)) as temporary:
+            self.dataset.to_netcdf(temporary, engine="h5netcdf")
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
+        """Profiles of film and pressure at some times, and the histories."""
+        from softlube.plots.transient import picture
+
+        return picture(self, path)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Final values and what was done, ready for JSON."""
+        return {
+            "ended_by": self.run.ended_by,
+            "time": {"value": float(self.time[-1]), "error": self.time_error * self.scale("time")[0]},
+            "dimple_time": None if np.isnan(self.dimple_time) else self.dimple_time,
+            "final": {name: {"value": float(q), "error": q.error, "unit": q.unit or "1"} for name, q in self.final.items()},
+            "volume_error": self.run.volume_error,
+            "accuracy": self.accuracy,
+            "rings": list(self.rings),
+            "steps": self.run.time.size,
+            "warnings": list(self.warnings),
+        }
+
+
+def follow(
+    motion: Motion,
+    *,
+    accuracy: float = 1e-3,
+    film_limit: float = 0.0,
+    progress: Callable[[str], None] | None = None,
+) -> Squeeze:
+    """Follow a motion, normalised, on ever finer grids until the films are as accurate as asked for.
+
+    Parameters
+    ----------
+    motion : Motion
+        What moves the sphere, and over what.
+    accuracy : float
+        Relative error of the films aimed at, at every time.
+    film_limit : float
+        Minimum film at which to stop.
+    progress : callable, optional
+        Called with a line of text now and then.
+
+    Raises
+    ------
+    InputError
+        If an input is not as described, or the substrate is as good as rigid.
+    NotConvergedError
+        If no grid reaches the accuracy, or the integration fails.
+
+    Notes
+    -----
+    The error is what the films change by from the grid before, plus what four times the tolerance changes on that grid; both
+    changes are several times the error that they leave.
+
+    Examples
+    --------
+    A light sphere falls nearly by Taylor's law for a rigid one, load = πV/(2h₀), until the film limit:
+
+    >>> from math import log, pi
+    >>> from softlube.transient.motion import constant_load
+    >>> fall = follow(constant_load(1e-3, initial_height=1.0, duration=4e3), film_limit=0.5)
+    >>> bool(abs(fall.time[-1] * 1e-3 / (pi / 2 * log(2)) - 1) < 5e-3), fall.run.ended_by
+    (True, 'film_limit')
+    """
+    if not FINEST_ACCURACY <= accuracy <= COARSEST_ACCURACY:
+        raise InputError(f"accuracy: expected a number from {FINEST_ACCURACY:g} to {COARSEST_ACCURACY:g}, got {accuracy!r}")
+    tolerance = TOLERANCE * accuracy
+
+    def run(rings: int, tolerance: float) -> Run:
+        return integrate(motion, rings=rings, tolerance=tolerance, film_limit=film_limit, progress=progress)
+
+    yielding = motion.yielding()
+    if yielding < RIGID * tolerance:
+        raise InputError(
+            f"shear_modulus: the substrate yields by {yielding:.1e} of the film at most, which is nothing at this accuracy; "
+            f"Taylor's law for a rigid sphere holds, load = 6 pi eta R^2 V/h (constant viscosity)"
+        )
+    coarsest = coarse = run(LADDER[0], tolerance)
+    loose = run(LADDER[0], 4 * tolerance)
+    worst = np.inf
+    for step, rings in enumerate(LADDER[1:], 2):
+        fine = run(rings, tolerance)
+        result = _compared(fine, coarse, (coarsest, loose), accuracy, LADDER[:step])
+        worst = max(float(np.max(result.errors[name] / result.histories[name])) for name in JUDGED)
+        if worst <= accuracy:
+            return result
+        coarse = fine
+    raise NotConvergedError(
+        f"the film is known to {worst:.1e} only on {LADDER[-1]} rings, not to {accuracy:.1e}; ask for less, or end sooner"
+    )
+
+
+def _compared(fine: Run, coarse: Run, tolerances: tuple[Run, Run], accuracy: float, rings: tuple[int, ...]) -> Squeeze:
+    """The finest run with errors from one on a coarser grid and from two with different tolerances."""
+    others = (coarse, *tolerances)
+    # Where the film limit ended the runs, they end at slightly different times.
+    end = min(fine.time[-1], *(run.time[-1] for run in others))
+    time = np.minimum(fine.time, end)
+    own = fine.histories()
+    same, by_grid, strict, loose = (
+        own if end == fine.time[-1] else fine.histories(time),
+        *(run.histories(time) for run in others),
+    )
+    errors = {name: np.abs(same[name] - by_grid[name]) + np.abs(strict[name] - loose[name]) for name in HISTORIES}
+    for name in HISTORIES:
+        if name != fine.motion.control:
+            # Histories from two grids cross now and then, which makes neither of them exact.
+            errors[name] = np.maximum(errors[name], LEAST_ERROR * fine.tolerance * np.abs(own[name]))
+    return Squeeze(
+        run=fine,
+        histories=own,
+        errors=errors,
+        time_error=float(max(abs(fine.time[-1] - run.time[-1]) for run in others)),
+        accuracy=accuracy,
+        rings=rings,
+    )
+
+
+def interpreted(result: Squeeze, setup: Setup) -> Squeeze:
+    """A normalised result with its physical input and the doubts about it."""
+    result = replace(result, setup=setup)
+    return replace(result, warnings=setup.doubts(result.extremes))

@@ -1,0 +1,202 @@
+"""Film and pressure that depend on r only: the squeeze film on the rings of a polar grid.
+
+Normalised as in Eq. (4) with the time in units of T = 3ηR^{3/2}/(πG H^{3/2}) (H is the unit of height), the equations have no
+parameter:
+
+    ∂u/∂t = (1/r) ∂(r φu³ ∂p/∂r)/∂r,      u = h₀ + r²/2 + K p,
+
+but those of the substrate in K and of the fluidity φ(p), 1 for constant viscosity.
+
+The film on the nodes is the unknown, less the parabola: the lift l = u − r²/2 = h₀ + K p, which keeps what a nearly rigid
+sphere's small deflections say from drowning in r²/2.  It gives the pressure by p = K⁻¹(l − h₀), and h₀ under a given load N
+by ∫p dA = N, both linear.  So no algebraic equation is left for the time integrator.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from softlube.discretization.grid import RIM, PolarGrid
+from softlube.discretization.radial import radial_operators
+from softlube.discretization.reynolds import ReynoldsOperator
+from softlube.model.liquids import Fluid, Newtonian
+from softlube.model.substrates import HalfSpace, Substrate
+
+Array = NDArray[np.floating]
+Control = Literal["load", "height"]
+
+DECAY = 4
+"""Far outside the film is the parabola and the flux that of a falling disc, so p → V/r⁴ (V speed of descent)."""
+ANGLES = 6
+"""Angular intervals of the grid from which the rings are taken; any number does."""
+
+
+@dataclass(frozen=True)
+class SqueezeFilm:
+    """The discrete squeeze film; vectors live on the n rings whose film is unknown, or on all N = n + RIM.
+
+    Attributes
+    ----------
+    grid : PolarGrid
+    control : {"load", "height"}
+        What is prescribed as a function of time, q below: the load ∫p dA or the height h₀.
+    parabola : ndarray, shape (N,)
+        r²/2.
+    pressure_by_lift, pressure_by_drive : ndarray, shape (N, n) and (N,)
+        p = pressure_by_lift l + pressure_by_drive q.
+    height_by_lift, height_by_drive : ndarray, shape (n,), and float
+        h₀ likewise.
+    rim_by_lift, rim_by_drive : ndarray, shape (RIM, n) and (RIM,)
+        The lift at the rim likewise.
+    compliance : ndarray, shape (N, N)
+        Deflection by pressure.
+    load_weights : ndarray, shape (N,)
+        Weights of ∫p dA over the whole plane.
+    slope, midpoint, divergence : ndarray
+        Differences of the Reynolds equation, see `softlube.discretization.reynolds.ReynoldsOperator`.
+    conductance : ndarray
+        Metric factor of u³∂p on the faces.
+    cell : ndarray, shape (n,)
+        Measure of the cells: 2π ∑ cell u is the liquid's volume, and what the fluxes conserve.
+    fluid : Fluid
+        Its fluidity is taken at the pressure on the faces.
+    """
+
+    grid: PolarGrid
+    control: Control
+    parabola: Array
+    pressure_by_lift: Array
+    pressure_by_drive: Array
+    height_by_lift: Array
+    height_by_drive: float
+    rim_by_lift: Array
+    rim_by_drive: Array
+    compliance: Array
+    load_weights: Array
+    slope: Array
+    midpoint: Array
+    divergence: Array
+    conductance: Array
+    cell: Array
+    fluid: Fluid
+
+    @classmethod
+    def on(
+        cls, grid: PolarGrid, control: Control, substrate: Substrate | None = None, fluid: Fluid | None = None
+    ) -> SqueezeFilm:
+        """Build the equations of a grid (only its radii are used); a half-space and constant viscosity where not given."""
+        grid = grid.resized(grid.n_r, ANGLES)
+        n = grid.n_r
+        kernels, measure = radial_operators(grid, np.arange(1), (substrate or HalfSpace()).remainder)
+
+        # Beyond the last ring the pressure falls like r⁻⁴.  Its load is counted, its deflection (of order reach⁻³) is not.
+        extend = np.vstack([np.eye(n), np.zeros((RIM, n))])
+        extend[n:, -1] = (grid.r[n - 1] / grid.r[n:]) ** DECAY
+        weights = 2 * np.pi * measure
+        weights[-1] += 2 * np.pi * grid.r[-1] ** 2 / (DECAY - 2)
+        compliance = kernels[0] @ extend
+        stiffness = np.linalg.inv(compliance[:n])
+        punch, own_weights = stiffness.sum(axis=1), weights @ extend
+        if control == "load":
+            # A uniform shift of the film changes the load by `lift`: h₀ is eliminated.
+            lift = own_weights @ punch
+            height_by_lift, height_by_drive = own_weights @ stiffness / lift, -1 / lift
+        else:
+            height_by_lift, height_by_drive = np.zeros(n), 1.0
+        by_film = stiffness - np.outer(punch, height_by_lift)
+        by_drive = -punch * height_by_drive
+
+        operator = ReynoldsOperator.on(grid)
+        angles = grid.shape[1]
+        spin = float(grid.dtheta_ds(0.0))  # the two-dimensional balance is one in s, not in θ
+
+        def rings(matrix: Array) -> Array:
+            """A matrix of the plane for what does not depend on θ."""
+            return matrix[::angles].reshape(matrix.shape[0] // angles, -1, angles).sum(axis=2)
+
+        divergence = rings(operator.divergence[0].toarray())
+        cell = grid.r[:n] * grid.dr_dxi(grid.r[:n])
+        # What the balance of the innermost cell leaves out, so that the fluxes telescope, its volume leaves out too.
+        cell[0] *= 11 / 12
+        return cls(
+            grid=grid,
+            control=control,
+            parabola=grid.r**2 / 2,
+            pressure_by_lift=extend @ by_film,
+            pressure_by_drive=extend @ by_drive,
+            height_by_lift=height_by_lift,
+            height_by_drive=float(height_by_drive),
+            rim_by_lift=compliance[n:] @ by_film + height_by_lift,
+            rim_by_drive=compliance[n:] @ by_drive + height_by_drive,
+            compliance=kernels[0],
+            load_weights=weights,
+            slope=rings(operator.slope[0].toarray()),
+            midpoint=rings(operator.midpoint[0].toarray()),
+            divergence=divergence,
+            conductance=operator.conductance[0].reshape(-1, angles)[:, 0] / spin,
+            cell=cell,
+            fluid=fluid or Newtonian(),
+        )
+
+    @property
+    def n(self) -> int:
+        """Number of unknowns."""
+        return self.grid.n_r
+
+    def pressure(self, lift: Array, drive: float) -> Array:
+        """Pressure on all N rings under a lift on n rings and what is prescribed."""
+        return self.pressure_by_lift @ lift + self.pressure_by_drive * drive
+
+    def height(self, lift: Array, drive: float) -> float:
+        """h₀."""
+        return float(self.height_by_lift @ lift + self.height_by_drive * drive)
+
+    def load(self, pressure: Array) -> float:
+        """∫p dA over the whole plane."""
+        return float(self.load_weights @ pressure)
+
+    def whole_film(self, lift: Array, drive: float) -> Array:
+        """Film on all N rings."""
+        return self.parabola + np.append(lift, self.rim_by_lift @ lift + self.rim_by_drive * drive)
+
+    def lift_under(self, pressure: Array, height: float) -> Array:
+        """Lift on the n rings under a pressure on all N, Eq. (6c)."""
+        return height + (self.compliance @ pressure)[: self.n]
+
+    def flux(self, lift: Array, drive: float) -> Array:
+        """Flux r φu³ ∂p/∂r on the faces: the inflow, over 2π."""
+        film_face = self.midpoint @ self.whole_film(lift, drive)
+        pressure = self.pressure(lift, drive)
+        fluidity, _ = self.fluid.fluidity(self.midpoint @ pressure)
+        return self.conductance * fluidity * film_face**3 * (self.slope @ pressure)
+
+    def flux_derivative(self, lift: Array, drive: float) -> Array:
+        """∂flux/∂u, exact, shape (faces, n)."""
+        film_face = self.midpoint @ self.whole_film(lift, drive)
+        pressure = self.pressure(lift, drive)
+        fluidity, thickening = self.fluid.fluidity(self.midpoint @ pressure)
+        slope, mobility = self.slope @ pressure, self.conductance * film_face**3
+        n = self.n
+        film_part = self.midpoint[:, :n] + self.midpoint[:, n:] @ self.rim_by_lift
+        by_pressure = (mobility * fluidity)[:, None] * self.slope
+        if np.any(thickening):
+            by_pressure = by_pressure + (mobility * thickening * slope)[:, None] * self.midpoint
+        by_film = (3 * self.conductance * fluidity * film_face**2 * slope)[:, None] * film_part
+        return by_pressure @ self.pressure_by_lift + by_film
+
+    def rate(self, flux: Array) -> Array:
+        """∂u/∂t on the n rings from the fluxes (or its derivatives, from theirs)."""
+        return (self.divergence @ flux) / (self.cell if flux.ndim == 1 else self.cell[:, None])
+
+    def inflow_weights(self, rings: int) -> Array:
+        """Weights that make of the fluxes the growth of the volume within a number of rings; zero but near its edge."""
+        weights = 2 * np.pi * self.grid.d_xi * self.divergence[:rings].sum(axis=0)
+        return np.where(np.abs(weights) > 1e-9, weights, 0.0)
+
+    def volume_weights(self, rings: int) -> Array:
+        """Weights of the liquid's volume within a number of rings, shape (n,)."""
+        return np.where(np.arange(self.n) < rings, 2 * np.pi * self.grid.d_xi * self.cell, 0.0)

@@ -1,0 +1,64 @@
+"""``softlube squeeze`` in-process: output, files, exit codes."""
+
+import json
+
+import pytest
+import xarray as xr
+
+from softlube.cli.main import main
+
+BALL = ["squeeze", "--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s"]
+FALL = [*BALL, "--load", "100 mN", "--initial-height", "100 um", "--duration", "0.1 s"]
+
+
+def test_table_and_files(capsys, tmp_path):
+    assert main([*FALL, "--output", str(tmp_path / "a.nc"), "--plot", str(tmp_path / "a.png")]) == 0
+    out = capsys.readouterr().out
+    for text in ("film at the centre", "minimum film", "µm", "dimple", "balance of volume", "a.nc"):
+        assert text in out
+    assert "…" not in out
+    assert (tmp_path / "a.png").exists()
+    with xr.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
+        assert data.sizes["time"] > 50
+        assert data.time.attrs["units"] == "s"
+
+
+def test_json_and_film_limit(capsys):
+    assert main([*FALL, "--film-limit", "5 um", "--json"]) == 0
+    captured = capsys.readouterr()
+    data = json.loads(captured.out)
+    assert captured.err == ""
+    assert data["ended_by"] == "film_limit"
+    assert data["final"]["film_min"]["value"] == pytest.approx(5e-6, rel=1e-3)
+    assert 0 < data["time"]["value"] < 0.1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        ([*FALL, "--approach-speed", "1 um/s"], "--load, --approach-speed"),
+        ([*BALL, "--load", "1 N", "--duration", "1 s"], "--initial-height"),
+        ([*FALL, "--plot", "a.bmp"], "--plot"),
+        ([*FALL, "--output", "nowhere/a.nc"], "--output"),
+        ([*FALL, "--thickness", "1 N"], "--thickness"),
+        ([*FALL, "--base", "frictionless"], "--base, --thickness"),
+        ([*FALL, "--poisson-ratio", "0.6"], "--poisson-ratio"),
+        ([*FALL, "--thickness", "1 mm", "--base", "glued"], "--base"),
+        ([*FALL, "--viscosity-law", "roelands"], "--viscosity-law, --pressure-viscosity"),
+    ],
+)
+def test_refused_with_a_reason(capsys, arguments, text):
+    assert main(arguments) == 2
+    assert text in capsys.readouterr().err
+
+
+def test_separation_is_reported(capsys):
+    assert main([*BALL, "--approach-speed", "-10 um/s", "--initial-height", "5 um", "--duration", "0.1 s"]) == 0
+    assert "-" in capsys.readouterr().out
+
+
+def test_an_accuracy_that_is_not_reached_exits_3_and_writes_nothing(capsys, monkeypatch, tmp_path):
+    monkeypatch.setattr("softlube.transient.squeeze.result.LADDER", (32, 36))
+    assert main([*FALL, "--accuracy", "1e-4", "--output", str(tmp_path / "a.nc")]) == 3
+    assert "36 rings" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

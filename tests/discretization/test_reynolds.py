@@ -1,0 +1,110 @@
+"""The discrete Reynolds equation: exactness, order, conservation, exact derivatives."""
+
+import numpy as np
+import pytest
+from scipy.sparse.linalg import spsolve
+
+from softlube.discretization.grid import PolarGrid
+from softlube.discretization.reynolds import ReynoldsOperator
+from softlube.model.exact import kapitza_pressure
+
+GRID = PolarGrid(16, 10, layer=0.2)
+
+
+def smooth_fields(grid):
+    """A film and a pressure without symmetry about 90°, smooth at the centre."""
+    x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
+    film = 0.5 + 0.2 * x + (x**2 + y**2) / 2 + 0.1 * np.exp(-((x - 0.5) ** 2) - y**2)
+    pressure = np.exp(-((x - 0.3) ** 2) - 1.5 * y**2)
+    return pressure.ravel(), film.ravel()
+
+
+def test_uniform_film_carries_no_pressure():
+    operator = ReynoldsOperator.on(GRID)
+    residual = operator.residual(np.zeros(GRID.r.size * GRID.theta.size), np.full(GRID.r.size * GRID.theta.size, 0.7), 3.0)
+    assert np.max(np.abs(residual)) < 1e-12
+
+
+def exact_balance(grid, speed):
+    """−(∇·(u³∇p) + speed ∂u/∂x) r r′ θ′ of `smooth_fields`, differentiated by complex steps in x and y."""
+    x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
+
+    def film(x, y):
+        return 0.5 + 0.2 * x + (x**2 + y**2) / 2 + 0.1 * np.exp(-((x - 0.5) ** 2) - y**2)
+
+    def slopes(x, y):
+        p = np.exp(-((x - 0.3) ** 2) - 1.5 * y**2)
+        return -2 * (x - 0.3) * p, -3 * y * p
+
+    step = 1e-30j
+    divergence = (film(x + step, y) ** 3 * slopes(x + step, y)[0]).imag / 1e-30
+    divergence += (film(x, y + step) ** 3 * slopes(x, y + step)[1]).imag / 1e-30
+    drag = speed * film(x + step, y).imag / 1e-30
+    measure = (grid.r * grid.dr_dxi(grid.r))[:, None] * grid.dtheta_ds(grid.s)
+    return -(divergence + drag) * measure
+
+
+@pytest.mark.parametrize("direction", ["r", "theta"])
+def test_fourth_order_on_a_manufactured_solution(direction):
+    sizes = np.array([24, 36, 54])
+    errors = []
+    for n in sizes:
+        grid = PolarGrid(n, 160, layer=0.5, reach=6) if direction == "r" else PolarGrid(300, n, layer=0.5, reach=6)
+        pressure, film = smooth_fields(grid)
+        residual = ReynoldsOperator.on(grid).residual(pressure, film, 0.3).reshape(grid.n_r, -1)
+        # The first ring presumes that no liquid is left at the centre, which holds for solutions only.
+        inner = (grid.r[: grid.n_r] < 2) & (np.arange(grid.n_r) > 0)
+        errors.append(np.max(np.abs(residual - exact_balance(grid, 0.3)[: grid.n_r])[inner]))
+    order = -np.polyfit(np.log(sizes), np.log(errors), 1)[0]
+    assert order == pytest.approx(4, abs=0.35)
+
+
+def test_kapitza_solution_converges_at_fourth_order():
+    """Rigid sphere: the linear problem for a given film, with the exact pressure imposed at the rim."""
+    beta, gap, errors, sizes = 2.0, 0.15, [], np.array([24, 36, 54])
+    for n in sizes:
+        grid = PolarGrid(2 * n, n, layer=0.4, side_layer=1.0, reach=10)
+        exact = kapitza_pressure(grid.r[:, None], grid.theta, beta, gap).ravel()
+        film = np.repeat(gap + grid.r**2 / 2, grid.theta.size)
+        operator, known = ReynoldsOperator.on(grid), exact.copy()
+        known[: grid.n_unknown] = 0
+        matrix = operator.derivatives(known, film, 1 / beta)[0][:, : grid.n_unknown]
+        found = spsolve(matrix.tocsc(), -operator.residual(known, film, 1 / beta))
+        errors.append(np.max(np.abs(found - exact[: grid.n_unknown])) / exact.max())
+    order = -np.polyfit(np.log(sizes), np.log(errors), 1)[0]
+    assert errors[-1] < 3e-5
+    assert order == pytest.approx(4, abs=0.3)
+
+
+def test_mass_is_conserved_to_round_off():
+    """What leaves all cells together crosses the rim: interior changes of the fields do not alter the sum."""
+    operator = ReynoldsOperator.on(GRID)
+    ring = np.full(GRID.theta.size, 1.0)
+    ring[[0, -1]] = 0.5
+    rng = np.random.default_rng(1)
+    film, pressure = 1 + rng.random((2, *GRID.shape))
+    total = []
+    for bump in (0.0, 1.0):
+        changed_film, changed_pressure = film.copy(), pressure.copy()
+        changed_film[: GRID.n_r - 5] += bump * rng.random((GRID.n_r - 5, GRID.theta.size))
+        changed_pressure[: GRID.n_r - 5] += bump * rng.random((GRID.n_r - 5, GRID.theta.size))
+        residual = operator.residual(changed_pressure.ravel(), changed_film.ravel(), 0.7).reshape(GRID.n_r, -1)
+        total.append(np.sum(residual * ring))
+    assert np.max(np.abs(residual)) > 1
+    assert total[0] == pytest.approx(total[1], abs=1e-10 * np.abs(residual).sum())
+
+
+def test_derivatives_against_complex_step():
+    operator = ReynoldsOperator.on(GRID)
+    rng = np.random.default_rng(2)
+    film, pressure, change = rng.random((3, GRID.r.size * GRID.theta.size)) + 0.5
+    by_pressure, by_film = operator.derivatives(pressure, film, 0.4)
+    step = 1e-30
+
+    def residual(p, u):
+        return operator.residual(p, u, 0.4)
+
+    numeric = residual(pressure + 1j * step * change, film + 0j).imag / step
+    assert by_pressure @ change == pytest.approx(numeric, rel=1e-12, abs=1e-12)
+    numeric = residual(pressure + 0j, film + 1j * step * change).imag / step
+    assert by_film @ change == pytest.approx(numeric, rel=1e-12, abs=1e-12)

@@ -1,0 +1,151 @@
+"""Stribeck curves against separate solutions, and the limits of motion and load."""
+
+import numpy as np
+import pytest
+
+import softlube
+from softlube import Rig, stribeck_curve
+from softlube.discretization.measure import integrate
+from softlube.experiments.load_curve import _node, _solution, curve
+
+RIG = Rig(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s")
+RANGE = {"slowest": "50 um/s", "fastest": "5 mm/s"}
+
+
+@pytest.fixture(scope="module")
+def sliding():
+    return stribeck_curve(RIG, ["50 mN", "100 mN"], **RANGE, points=9, roughness="50 nm", region="domain")
+
+
+@pytest.mark.parametrize("row", [2, 13])
+def test_ratio_two_with_the_substrate_at_rest_is_the_paper_s_case(sliding, row):
+    """Against a contact solved by itself, at a β that is no node of the curve."""
+    values = sliding.iloc[row]
+    solution = softlube.Contact(
+        radius="2 mm",
+        young_modulus="3 MPa",
+        viscosity="2 Pa s",
+        speed=2 * values["entrainment_speed [m/s]"],
+        load=values["load [N]"],
+    ).solve()
+    for column, name in (("friction [N]", "friction_domain"), ("film_center [m]", "film_center"), ("film_min [m]", "film_min")):
+        exact = solution.dimensional[name]
+        error = values[column.replace(" [", "_error [")]
+        assert abs(values[column] - exact) <= error + exact.error, name
+        assert values[column] == pytest.approx(exact, rel=5e-3 if name == "film_min" else 1e-3)
+        assert error < 0.02 * exact
+    assert values["friction_coefficient"] == pytest.approx(values["friction [N]"] / values["load [N]"])
+    assert values["lambda"] == pytest.approx(values["film_min [m]"] / 50e-9)
+
+
+def test_the_film_does_not_depend_on_which_surface_moves_and_the_couette_part_goes_with_the_ratio():
+    columns = ["film_center [m]", "film_min [m]", "beta_load"]
+    tables = {
+        s: stribeck_curve(RIG, "100 mN", **RANGE, points=5, slide_to_roll=s, force="couette") for s in (2.0, 0.5, 0.0, -2.0)
+    }
+    for s, table in tables.items():
+        np.testing.assert_array_equal(table[columns], tables[2.0][columns])
+        np.testing.assert_allclose(table["friction [N]"], s / 2 * tables[2.0]["friction [N]"], rtol=1e-12)
+
+
+def test_pure_rolling_has_no_couette_friction():
+    rolling = {
+        f: stribeck_curve(RIG, "100 mN", **RANGE, points=5, slide_to_roll=0.0, force=f) for f in ("couette", "sphere", "total")
+    }
+    assert (rolling["couette"]["friction [N]"] == 0).all()
+    # What is left is the rolling part, equal and opposite on the two surfaces.
+    np.testing.assert_allclose(rolling["sphere"]["friction [N]"], -rolling["total"]["friction [N]"], rtol=1e-12)
+    assert (rolling["total"]["friction [N]"] > 0).all()
+
+
+def test_the_poiseuille_part_is_the_moment_of_the_pressure(solution):
+    """∫ u ∂p/∂x dA = −∫ p ∂u/∂x dA + boundary, and ∫ p ∂w/∂x dA = 0 for an elastic half-space: so only ∫ p x dA is left.
+
+    This is what makes C − P the whole horizontal force.
+    """
+    fields = solution.fields
+    reach = 0.8 * fields.r[-1]
+    part = integrate(fields, lambda xi, s: 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0], reach)
+    moment = integrate(
+        fields,
+        lambda xi, s: (
+            3 * fields.pressure_spline(xi, s) * fields.chart.r_of(xi)[:, None] * np.cos(fields.chart.theta_of(s))[None, :]
+        ),
+        reach,
+    )
+    angle = np.linspace(0, np.pi, 2001)
+    rim = fields.film_at(reach, angle) * fields.pressure_at(reach, angle) * np.cos(angle) * reach
+    boundary = 3 * 2 * np.trapezoid(rim, angle)
+    assert part == pytest.approx(boundary - moment, rel=2e-3)
+    assert part < 0
+
+
+def test_regimes_by_roughness(sliding):
+    ratio = sliding["lambda"]
+    assert set(sliding["lubrication"]) == {"mixed", "full film"}
+    assert (ratio[sliding["lubrication"] == "full film"] >= 3).all()
+    assert (ratio[sliding["lubrication"] == "mixed"] < 3).all()
+
+
+def test_slopes_in_the_hertz_regime(sliding):
+    """Between the limits of section 5 of the model and the paper's fits: film U^0.58…0.6, friction U^0.40…0.44."""
+    rows = sliding[(sliding["load [N]"] == 0.1) & (sliding["beta_load"] > 1000)]
+    speed = np.log(rows["entrainment_speed [m/s]"])
+    film = np.polyfit(speed, np.log(rows["film_center [m]"]), 1)[0]
+    friction = np.polyfit(speed, np.log(rows["friction [N]"]), 1)[0]
+    assert 0.575 < film < 0.6
+    assert 0.39 < friction < 0.45
+
+
+def test_loads_collapse_on_beta(sliding):
+    """Friction over (2π/3) G δ² depends on β alone: the two loads give one curve."""
+    normalised = sliding["friction [N]"] / sliding["load [N]"] ** (4 / 3)
+    first, second = (sliding["load [N]"] == load for load in (0.05, 0.1))
+    at = np.log(sliding["beta_load"][second])
+    low = at < np.log(sliding["beta_load"][first]).max()
+    interpolated = np.interp(at[low], np.log(sliding["beta_load"][first])[::-1], np.log(normalised[first])[::-1])
+    np.testing.assert_allclose(interpolated, np.log(normalised[second][low]), atol=0.01)
+
+
+def test_what_cannot_be_solved_is_nan():
+    table = stribeck_curve(RIG, "100 mN", slowest="1 mm/s", fastest="10 m/s", points=5)
+    assert np.isfinite(table["friction [N]"].iloc[0])
+    beyond = table["beta_load"] < 1e-4 if table["film_min [m]"].notna().all() else table["film_min [m]"].isna()
+    assert table["friction [N]"].isna().equals(beyond)
+
+
+def test_a_curve_between_its_nodes():
+    master = curve(100, 1e4)
+    for beta in (137.0, 1890.0):
+        solution = softlube.solve(beta_load=beta)
+        assert master.film_center(beta) == pytest.approx(solution.film_center, rel=1e-3)
+        doubt = max(1e-3, float(master.relative_error("couette", beta)))
+        assert master.friction(beta) == pytest.approx(solution.friction_domain, rel=doubt)
+    assert np.isnan(master.friction(1.0))
+    assert np.isnan(master.relative_error("couette", 1e7))
+
+
+def test_named_and_numbered_regions_agree_in_the_hertz_limit():
+    named, numbered = (_node(22, region, "reynolds", 3e-3) for region in ("domain", 2.0))
+    assert named.couette == pytest.approx(numbered.couette, rel=1e-3)
+    assert not isinstance(_solution(22, "reynolds", 3e-3), str)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"loads": []}, "load: missing"),
+        ({"loads": "100 m"}, "load: 100 m has the wrong dimension"),
+        ({"slowest": "5 mm"}, "entrainment_speed: 5 mm has the wrong dimension"),
+        ({"slowest": "1 m/s", "fastest": "1 mm/s"}, "slowest, fastest: expected a slower and a faster"),
+        ({"points": 1}, "points: expected"),
+        ({"slide_to_roll": float("nan")}, "slide_to_roll: expected"),
+        ({"force": "drag"}, "force: expected one of"),
+        ({"region": "everywhere"}, "region: expected"),
+        ({"region": -1.0}, "region: expected"),
+        ({"roughness": "0 nm"}, "roughness: expected"),
+    ],
+)
+def test_bad_input(options, message):
+    with pytest.raises(softlube.InputError, match=message):
+        stribeck_curve(RIG, **{"loads": "100 mN"} | options)

@@ -1,0 +1,144 @@
+"""Files: everything is written, everything comes back, nothing is left behind by a failure."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import softlube
+from softlube.files.writing import whole_file
+
+
+def test_round_trip(physical, tmp_path):
+    path = tmp_path / "contact.nc"
+    physical.save(path)
+    again = softlube.load(path)
+    for field in (
+        "problem",
+        "quantities",
+        "other_quantities",
+        "dimensional",
+        "beta",
+        "beta_load",
+        "accuracy",
+        "contact",
+        "warnings",
+    ):
+        assert getattr(again, field) == getattr(physical, field), field
+    assert again.levels == tuple(replace(level, fields=None) for level in physical.levels)
+    for by in ("load", "indentation"):
+        assert [q.error for q in again.normalised(by).values()] == [q.error for q in physical.normalised(by).values()]
+    assert [q.unit for q in again.dimensional.values()] == [q.unit for q in physical.dimensional.values()]
+    assert np.array_equal(again.fields.film, physical.fields.film)
+    assert again.friction_within(1.5) == physical.friction_within(1.5)
+    assert (again.fields.height, again.fields.load) == (physical.height, physical.load)
+    assert again.fields.beta == pytest.approx(physical.beta_load, rel=1e-14)
+
+
+@pytest.mark.parametrize("indentation", ["-1 um", "0 um"])
+def test_round_trip_of_a_gap(tmp_path, indentation):
+    contact = softlube.Contact(radius=2e-3, young_modulus=3e6, viscosity=2.0, speed=1e-4, indentation=indentation)
+    solution = contact.solve(accuracy=0.01)
+    solution.save(tmp_path / "a.nc")
+    again = softlube.load(tmp_path / "a.nc")
+    assert again.problem == solution.problem
+    assert again.contact == contact
+    assert again.dimensional == solution.dimensional
+    assert again.other_quantities == {}
+    assert again.fields.height == solution.height
+    assert np.array_equal(again.fields.pressure, solution.fields.pressure)
+    assert again.fields.film_at(0.7, 0.3) == pytest.approx(solution.fields.film_at(0.7, 0.3), rel=1e-14)
+
+
+def test_both_normalisations_are_in_the_file(physical, solution):
+    for one, own, other in ((physical, "load", "indentation"), (solution, "indentation", "load")):
+        data = one.dataset
+        assert (data.attrs["normalisation"], data.attrs["other_normalisation"]) == (own, other)
+        for name, quantity in one.normalised(other).items():
+            assert float(data[name + "_other"]) == quantity
+            assert data[name + "_other"].attrs["error"] == quantity.error
+            assert data[name + "_other"].attrs["units"] == "1"
+        for name, quantity in one.normalised(own).items():
+            assert float(data[name]) == quantity
+
+
+def test_a_file_of_an_earlier_version_is_refused(solution, tmp_path):
+    data = solution.dataset
+    del data.attrs["height"]
+    data.to_netcdf(tmp_path / "old.nc", engine="h5netcdf")
+    with pytest.raises(softlube.InputError, match=r"earlier version of softlube; solve and save it again"):
+        softlube.load(tmp_path / "old.nc")
+
+
+def test_dimensionless_round_trip(solution, tmp_path):
+    solution.save(tmp_path / "a.nc")
+    again = softlube.load(tmp_path / "a.nc")
+    assert again.contact is None
+    assert again.dimensional == {}
+    assert again.quantities == solution.quantities
+
+
+def test_round_trip_of_the_paper_s_method(tmp_path):
+    solution = softlube.solve(beta=10, method="relaxation")
+    solution.save(tmp_path / "a.nc")
+    again = softlube.load(tmp_path / "a.nc")
+    assert again.method == "relaxation"
+    assert again.quantities == solution.quantities
+    assert again.fields.film_at(1.3, 0.7) == solution.fields.film_at(1.3, 0.7)
+    assert [r.summary() for r in again.levels[0].history] == [r.summary() for r in solution.levels[0].history]
+    assert again.levels[0].history[0].count == solution.levels[0].history[0].count > 100
+
+
+def test_xarray_opens_the_file(physical, tmp_path):
+    path = tmp_path / "contact.nc"
+    physical.save(path)
+    with xr.open_dataset(path) as data:
+        assert data.film.dims == ("r", "theta")
+        assert float(data.film_min) == physical.film_min
+        assert data.film_min.attrs["error"] == physical.film_min.error
+        assert data.film_min_SI.attrs["units"] == "m"
+        at_nodes = float(data.film_SI.min())
+        assert physical.dimensional["film_min"] <= at_nodes == pytest.approx(physical.dimensional["film_min"], rel=0.05)
+        assert float(data.r_SI[5] / data.r[5]) == pytest.approx(float(physical.dimensional["contact_radius"]))
+        assert data.attrs["softlube_version"] == softlube.__version__
+        assert json.loads(data.attrs["inputs_SI"])["radius"] == 0.002
+        # u = h − w with h = h₀ + r²/2, Eq. (6c)
+        assert -1 < data.attrs["height"] < -0.9
+        assert float(abs(data.film + data.displacement - data.attrs["height"] - data.r**2 / 2).max()) < 1e-11
+        # … and w is Hertz's at the centre but for the film
+        assert float(data.displacement[0].mean()) == pytest.approx(-1, abs=0.01)
+
+
+def test_a_failed_write_leaves_the_old_file(tmp_path):
+    path = tmp_path / "a.nc"
+    path.write_text("old")
+
+    def fail_midway():
+        with whole_file(path) as temporary:
+            temporary.write_text("half")
+            raise RuntimeError("midway")
+
+    with pytest.raises(RuntimeError, match="midway"):
+        fail_midway()
+    assert path.read_text() == "old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_missing_folder_and_folder_as_file(solution, tmp_path):
+    with pytest.raises(softlube.InputError, match=r"folder .* does not exist"):
+        solution.save(tmp_path / "none" / "a.nc")
+    with pytest.raises(softlube.InputError, match="is a folder"):
+        solution.save(tmp_path)
+
+
+def test_loading_what_is_not_a_solution(tmp_path):
+    with pytest.raises(softlube.InputError, match="does not exist"):
+        softlube.load(tmp_path / "none.nc")
+    (tmp_path / "text.nc").write_text("hello")
+    with pytest.raises(softlube.InputError, match="not a NetCDF file"):
+        softlube.load(tmp_path / "text.nc")
+    xr.Dataset({"a": 1}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
+    with pytest.raises(softlube.InputError, match="does not hold a solution"):
+        softlube.load(tmp_path / "other.nc")

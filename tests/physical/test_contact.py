@@ -1,0 +1,215 @@
+"""Units in, units out, and inputs that make no sense."""
+
+import itertools
+import math
+
+import pint
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import softlube
+from softlube.physical.contact import UNITS
+from softlube.physical.units import KINDS, to_si
+from softlube.steady.spike.detection import DESCRIPTION as SPIKE
+
+BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
+
+
+@pytest.mark.parametrize(
+    ("name", "spellings", "value"),
+    [
+        ("radius", ["2 mm", "0.2cm", "2e-3 m", "2 millimeter", "2000 µm", "2000 um", 0.002], 2e-3),
+        ("young_modulus", ["3 MPa", "3e6 Pa", "3 N/mm^2", "3 N/mm**2", "30 bar", 3e6], 3e6),
+        ("viscosity", ["2 Pa s", "2 Pa*s", "2000 cP", "20 poise", "2 kg/m/s", "2 pascal second"], 2.0),
+        ("speed", ["0.1 mm/s", "100 um/s", "6 mm/min", "1e-4 m s^-1"], 1e-4),
+        ("load", ["100 mN", "0.1 N", "0.1 kg m/s^2"], 0.1),
+    ],
+)
+def test_units_in_any_spelling(name, spellings, value):
+    for spelling in spellings:
+        assert to_si(name, spelling) == pytest.approx(value, rel=1e-12)
+
+
+def test_pint_quantities_are_taken():
+    assert to_si("radius", pint.UnitRegistry().Quantity(2, "mm")) == pytest.approx(2e-3)
+
+
+@given(
+    value=st.floats(1e-6, 1e6),
+    pair=st.sampled_from([("radius", "mm", 1e-3), ("load", "mN", 1e-3), ("speed", "m/s", 1.0), ("viscosity", "mPa s", 1e-3)]),
+)
+@settings(max_examples=50, deadline=None)
+def test_units_round_trip(value, pair):
+    name, unit, factor = pair
+    assert to_si(name, f"{value!r} {unit}") == pytest.approx(value * factor, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"radius": None}, "radius: missing"),
+        ({"viscosity": None}, "viscosity: missing"),
+        ({"radius": "2"}, "radius: '2' has no unit; expected a length"),
+        ({"radius": "-2 mm"}, "radius: expected a positive"),
+        ({"radius": "0 mm"}, "radius: expected a positive"),
+        ({"radius": "nan mm"}, "radius: "),
+        ({"radius": "inf mm"}, "radius: "),
+        ({"radius": float("nan")}, "radius: expected a positive"),
+        ({"radius": True}, "radius: cannot read True"),
+        ({"radius": "mm mm mm ("}, "radius: cannot read"),
+        ({"radius": ""}, "radius: "),
+        ({"radius": "2 furlongsss"}, "radius: .* unknown unit"),
+        ({"radius": object()}, "radius: cannot read"),
+        ({"young_modulus": "3 mm"}, "young_modulus: 3 mm has the wrong dimension; expected a pressure"),
+        ({"young_modulus": None}, "young_modulus, shear_modulus: are both missing; give exactly one"),
+        ({"shear_modulus": "1 MPa"}, "young_modulus, shear_modulus: are both given; give exactly one"),
+        ({"load": None}, "load, indentation: are both missing; give exactly one"),
+        ({"indentation": "5 um"}, "load, indentation: are both given; give exactly one"),
+        ({"load": None, "indentation": "inf um"}, "indentation: expected a finite quantity"),
+        ({"load": None, "indentation": float("nan")}, "indentation: expected a finite quantity"),
+        ({"load": None, "indentation": "-5 N"}, "indentation: -5 N has the wrong dimension"),
+        ({"load": None, "indentation": "-5"}, "indentation: '-5' has no unit"),
+        ({"load": "0 N"}, "load: expected a positive"),
+        ({"cavitation": "jfo"}, "cavitation: expected"),
+        ({"roughness": "3 Pa"}, "roughness: 3 Pa has the wrong dimension"),
+        ({"speed": "1e-320 m/s", "viscosity": "1e-5 Pa s"}, "check their units"),
+    ],
+)
+def test_bad_input_names_the_parameter_and_what_is_expected(change, message):
+    with pytest.raises(softlube.InputError, match=message):
+        softlube.Contact(**(BALL | change)).problem()
+
+
+def test_young_and_shear_modulus_are_the_same_input():
+    young = softlube.Contact(**BALL)
+    shear = softlube.Contact(**(BALL | {"young_modulus": None, "shear_modulus": "1 MPa"}))
+    assert young == shear
+
+
+def test_beta_is_equation_30(contact):
+    viscosity, modulus, radius, speed, load = 2.0, 1e6, 2e-3, 1e-4, 0.1
+    expected = (
+        (2 * math.pi / 3) * (3 / 16) ** (4 / 3) * load ** (4 / 3) / (viscosity * modulus ** (1 / 3) * radius ** (5 / 3) * speed)
+    )
+    assert contact.problem().beta_load == pytest.approx(expected, rel=1e-12)
+
+
+def test_physical_numbers_follow_from_the_dimensionless_ones(physical):
+    """Eqs. (4), (5), (26), written out again in SI."""
+    modulus, radius = 1e6, 2e-3
+    height = (9 * 0.1**2 / (256 * modulus**2 * radius)) ** (1 / 3)  # the Hertz indentation of the load, Eq. (29)
+    indentation = physical.dimensional["indentation"]
+    assert indentation == pytest.approx(-physical.height * height, rel=1e-12)
+    assert 0 < indentation < height
+    assert physical.dimensional["contact_radius"] == pytest.approx(math.sqrt(radius * height))
+    for name, scale in {
+        "film_min": height,
+        "pressure_max": 4 * math.pi * modulus * math.sqrt(height / radius),
+        "friction_contact": 2 * math.pi / 3 * modulus * height**2,
+        "boundary_layer": math.sqrt(radius * height),
+        "pressure_gradient_inlet": 4 * math.pi * modulus / radius,
+        "shear_rate_max": 1e-4 / height,
+    }.items():
+        assert physical.dimensional[name] == pytest.approx(physical.quantities[name] * scale, rel=1e-12), name
+    load = 4 * math.pi * modulus * height * math.sqrt(radius * height) * physical.quantities["load"]
+    assert load == pytest.approx(0.1, rel=1e-12)
+    assert physical.dimensional["load"] == 0.1
+    assert physical.dimensional["friction_coefficient"] == pytest.approx(physical.dimensional["friction_domain"] / 0.1)
+    for unit, beta in ((indentation, physical.beta), (height, physical.beta_load)):
+        assert (2 / 3) * unit**2 / radius * math.pi * modulus / (2 * 1e-4) == pytest.approx(beta, rel=1e-12)
+    assert physical.dimensional["indentation"].error == pytest.approx(height * physical.height.error)
+    assert set(physical.dimensional) == set(UNITS) - set(SPIKE)
+
+
+AT_THE_EDGE = (
+    "load_contact",
+    "film_inlet",
+    "boundary_layer",
+    "friction_contact",
+    "friction_domain",
+    "friction_coefficient",
+    "contact_radius",
+)
+"""Quantities that depend on where r = a is, √(Rδ) of the load or √(R|h₀|)."""
+
+
+@pytest.mark.parametrize("load", ["100 mN", "250 uN", "100 uN", "10 uN"])
+def test_indentation_and_load_give_the_same_contact(load):
+    """From a deep contact to a wide gap: the physical numbers know nothing of the normalisation."""
+    by_load = softlube.Contact(**(BALL | {"load": load})).solve()
+    depth = float(by_load.dimensional["indentation"])
+    assert (depth > 0) == (load in ("100 mN", "250 uN"))
+    by_depth = softlube.Contact(**(BALL | {"load": None, "indentation": depth})).solve()
+    assert by_depth.dimensional["indentation"] == pytest.approx(depth, rel=1e-14)
+    assert by_depth.beta == pytest.approx(by_load.beta, rel=1e-12)
+    for name, value in by_load.dimensional.items():
+        other = by_depth.dimensional[name]
+        assert other.unit == value.unit
+        if name in AT_THE_EDGE or name.startswith("film_min_") or name == "indentation":
+            continue
+        assert abs(value - other) <= value.error + other.error + 1e-4 * abs(value), name
+    # A height near zero is relative to the film.
+    error = by_load.dimensional["indentation"].error
+    slack = abs(by_depth.dimensional["load"] / by_load.dimensional["load"] - 1) * by_load.dimensional["film_center"]
+    assert slack <= 3 * (error + by_load.dimensional["film_center"].error)
+
+
+def test_depths_of_either_sign_are_one_family():
+    """Load and film go on smoothly where the sphere's lowest point passes the undeformed surface."""
+    depths = ["-2 um", "-0.5 um", "-1 nm", "0 um", "1 nm", "0.5 um", "2 um"]
+    found = [softlube.Contact(**(BALL | {"load": None, "indentation": depth})).solve().dimensional for depth in depths]
+    load = [one["load"] for one in found]
+    film = [one["film_center"] for one in found]
+    assert all(low < high for low, high in itertools.pairwise(load))
+    assert all(low > high for low, high in itertools.pairwise(film))
+    for values in (load, film):
+        below, zero, above = values[2:5]
+        assert abs(above - below) < 1e-2 * zero
+        assert abs((above + below) / 2 - zero) <= (above.error + below.error) / 2 + zero.error
+    assert [float(one["indentation"]) for one in found] == pytest.approx([-2e-6, -5e-7, -1e-9, 0, 1e-9, 5e-7, 2e-6], abs=1e-22)
+
+
+@pytest.mark.parametrize(("indentation", "height"), [("5 um", -1), ("-5 um", 1), ("0 um", 0), (-5e-6, 1), (0, 0)])
+def test_an_indentation_may_be_zero_or_a_gap(indentation, height):
+    contact = softlube.Contact(**(BALL | {"load": None, "indentation": indentation}))
+    assert contact.problem().height == height
+    beta = (2 / 3) * (5e-6) ** 2 / 2e-3 * math.pi * 1e6 / (2.0 * 1e-4)
+    assert contact.problem().beta == pytest.approx(beta if height else 1, rel=1e-12)
+    assert contact.unit_length == pytest.approx(math.sqrt(2e-3 * contact.unit_height))
+
+
+@pytest.mark.parametrize(
+    ("change", "fragment"),
+    [
+        ({"load": "20 N"}, "contact radius is"),
+        ({"roughness": "1 um"}, "below the roughness"),
+        ({"viscosity": "1 uPa s", "speed": "1 km/s"}, "Reynolds number"),
+        ({"thickness": "2 mm"}, "compared with a half-space that changes: indentation of a dry contact -12 %"),
+    ],
+)
+def test_doubtful_physics_is_warned_of(physical, change, fragment):
+    contact = softlube.Contact(**(BALL | change))
+    assert any(fragment in doubt for doubt in contact.doubts(contact.dimensional(physical.quantities)))
+
+
+def test_over_a_gap_the_doubt_is_about_the_width_of_the_pressure(physical):
+    """√(2Rh₀) in place of the contact radius; a slab is stiffer only under a contact."""
+    wide = softlube.Contact(**(BALL | {"load": None, "indentation": "-0.2 mm", "thickness": "0.1 mm"}))
+    quantities = physical.quantities | {"height": softlube.Quantity(1.0, 0.0)}
+    doubts = wide.doubts(wide.dimensional(quantities))
+    assert any("the pressure reaches 0.45 R" in doubt for doubt in doubts)
+    assert not any("slab" in doubt for doubt in doubts)
+    narrow = softlube.Contact(**(BALL | {"load": None, "indentation": "-5 um"}))
+    assert not any("pressure reaches" in doubt for doubt in narrow.doubts(narrow.dimensional(quantities)))
+
+
+def test_sound_physics_is_not_warned_of(physical):
+    assert physical.warnings == ()
+    careful = softlube.Contact(**BALL, roughness="1 nm", thickness="50 mm")
+    assert careful.doubts(careful.dimensional(physical.quantities)) == ()
+
+
+def test_every_physical_input_has_a_unit_and_an_example():
+    for name, (_, example) in KINDS.items():
+        assert to_si(name, example.split("'")[1]) > 0

@@ -1,0 +1,50 @@
+"""Pictures: the right data on labelled axes, in every format."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import softlube
+from softlube.plots.solution import plot
+
+
+def test_profiles_show_the_solution(solution):
+    figure = plot(solution)
+    along_x = figure.axes[2]
+    x, film = along_x.lines[0].get_data()
+    k = int(np.argmin(np.abs(x)))
+    assert film[k] == pytest.approx(solution.film_center, rel=1e-6)
+    assert np.min(film) == pytest.approx(solution.film_outlet_min, rel=2e-3)
+    # the outlet, where the film is thinner, is on the left
+    assert x[np.argmin(film)] < 0
+
+
+def test_the_film_is_drawn_where_its_minimum_is_not_given(solution):
+    missing = dict.fromkeys(("film_min", "film_min_radius", "film_min_angle_deg"), softlube.Quantity(np.nan))
+    without = replace(solution, quantities={**solution.quantities, **missing})
+    drawn, wanted = (plot(each).axes[0].collections[0].levels for each in (without, solution))
+    assert drawn[0] <= solution.fields.film.min()
+    assert drawn[-1] == pytest.approx(wanted[-1], rel=0.1)
+
+
+def test_axes_carry_units(physical, solution):
+    labels = [axis.get_ylabel() + axis.get_xlabel() for axis in plot(physical).axes]
+    assert any("µm" in label for label in labels)
+    assert any("nm" in label for label in labels)
+    assert any("kPa" in label for label in labels)
+    labels = [axis.get_ylabel() + axis.get_xlabel() for axis in plot(solution).axes]
+    assert any("h_0" in label for label in labels)
+
+
+@pytest.mark.parametrize(("ending", "magic"), [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")])
+def test_formats(physical, tmp_path, ending, magic):
+    path = tmp_path / f"contact.{ending}"
+    physical.plot(path)
+    assert path.read_bytes().startswith(magic)
+    assert [p.name for p in tmp_path.iterdir()] == [path.name]
+
+
+def test_unknown_format_is_refused(solution, tmp_path):
+    with pytest.raises(softlube.InputError, match=r"plot: expected a file ending in"):
+        solution.plot(tmp_path / "a.xyz")

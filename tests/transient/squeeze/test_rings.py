@@ -1,0 +1,109 @@
+"""The squeeze film on rings against Taylor's rigid sphere, a manufactured film, and its own derivatives."""
+
+import numpy as np
+import pytest
+
+from softlube.discretization.elasticity import elastic_operator
+from softlube.discretization.grid import PolarGrid
+from softlube.model.exact import hertz_pressure
+from softlube.model.liquids import Barus, Newtonian, Roelands
+from softlube.model.substrates import HalfSpace, Layer
+from softlube.transient.squeeze.rings import SqueezeFilm
+
+GRID = PolarGrid(n_r=96, n_theta=6, layer=0.1, reach=60)
+
+
+@pytest.fixture(scope="module")
+def film():
+    return SqueezeFilm.on(GRID, "height")
+
+
+def _flux(film, u, p):
+    return film.conductance * (film.midpoint @ u) ** 3 * (film.slope @ p)
+
+
+def test_taylor_s_pressure_lowers_a_rigid_sphere_evenly(film):
+    """Pressure V/(4h²) and ∫p dA = πV/(2h₀): Taylor's 6πηR²V/h."""
+    h = 0.7 + film.parabola
+    p = 0.3 / (4 * h**2)
+    rate = film.rate(_flux(film, h, p))
+    assert rate[:-2] == pytest.approx(-0.3, rel=5e-4)
+    assert film.load(p) == pytest.approx(np.pi * 0.3 / (2 * 0.7), rel=2e-6)
+
+
+@pytest.mark.parametrize("rings", [48, 96])
+def test_order_of_the_divergence(rings):
+    """With u = 1 + r², p = exp(−r²): (1/r)(r u³ p′)′ in closed form; fourth order, at the centre too."""
+    errors = []
+    for n in (rings, 2 * rings):
+        film = SqueezeFilm.on(GRID.resized(n, 6), "height")
+        r = film.grid.r
+        q = r**2
+        exact = -2 * (1 + q) ** 2 * np.exp(-q) * (2 * (1 + q) * (1 - q) + 6 * q)
+        rate = film.rate(_flux(film, 1 + q, np.exp(-q)))
+        errors.append(np.max(np.abs(rate - exact[: film.n])))
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.5)
+
+
+def test_hertz_pressure_lies_under_a_flat_film(film):
+    """No film within r < 1 for the Hertz pressure and h₀ = −1, and back from the film to the pressure."""
+    u = film.lift_under(hertz_pressure(film.grid.r), -1.0) + film.parabola[: film.n]
+    assert np.max(np.abs(u[film.grid.r[: film.n] < 0.8])) < 2e-3
+    smooth = np.exp(-(film.grid.r**2))
+    smooth[film.n - 1 :] = 0
+    assert film.pressure(film.lift_under(smooth, -0.4), -0.4)[: film.n] == pytest.approx(smooth[: film.n], abs=1e-10)
+
+
+def test_height_follows_from_the_load():
+    film = SqueezeFilm.on(GRID, "load")
+    p = 0.2 * np.exp(-(film.grid.r**2))
+    p[film.n - 1 :] = 0
+    lift = film.lift_under(p, 0.25)
+    assert film.height(lift, film.load(p)) == pytest.approx(0.25, abs=1e-9)
+    assert film.load(film.pressure(1 + lift**1.1, 0.37)) == pytest.approx(0.37, rel=1e-9)
+
+
+@pytest.mark.parametrize("control", ["load", "height"])
+@pytest.mark.parametrize("fluid", [Newtonian(), Barus(2.0), Roelands(2.0, 0.6, 5.0)], ids=lambda fluid: fluid.kind)
+def test_derivative_of_the_flux_is_exact(control, fluid):
+    film = SqueezeFilm.on(GRID, control, fluid=fluid)
+    r = film.grid.r[: film.n]
+    lift = 0.5 + 0.3 * np.exp(-(r**2))
+    step = 1e-5 * np.cos(3 * r) * np.exp(-r)
+    found = (film.flux(lift + step, 0.4) - film.flux(lift - step, 0.4)) / 2
+    exact = film.flux_derivative(lift, 0.4) @ step
+    assert exact == pytest.approx(found, abs=1e-5 * np.max(np.abs(found)))
+
+
+def test_volume_within_a_radius_grows_by_the_flux_at_its_edge(film):
+    weights = film.inflow_weights(50)
+    assert set(np.flatnonzero(weights)) <= {0, 49, 50, 51}
+    flux = np.random.default_rng(1).normal(size=weights.size)
+    flux[0] = 0  # nothing flows through the centre
+    rate = film.rate(flux)
+    assert film.volume_weights(50) @ rate == pytest.approx(weights @ flux, rel=1e-9)
+    # and the weights are a quadrature: ∫ 2π r exp(−r²) dr within all rings
+    assert film.volume_weights(film.n) @ np.exp(-(film.grid.r[: film.n] ** 2)) == pytest.approx(np.pi, rel=1e-5)
+
+
+@pytest.mark.parametrize("substrate", [HalfSpace(), Layer(0.7), Layer(0.7, 0.3, "frictionless")], ids=str)
+def test_rings_are_the_plane_s_first_harmonic(substrate):
+    """The deflection is that of the steady solver's operator."""
+    plane = elastic_operator(GRID, "none", substrate.remainder)
+    rings = SqueezeFilm.on(GRID, "load", substrate)
+    assert rings.compliance == pytest.approx(plane.radial[0], rel=1e-8, abs=1e-8)
+    p = np.exp(-(GRID.r**2))
+    even = np.repeat(p, GRID.shape[1])
+    assert rings.compliance @ p == pytest.approx(plane.deflection(even).reshape(GRID.shape)[:, 0], rel=1e-9)
+    assert rings.load(p) == pytest.approx(float(plane.load_weights @ even), rel=1e-9)
+
+
+@pytest.mark.parametrize("alpha", [0.5, 2.0])
+def test_barus_under_a_rigid_sphere(alpha):
+    """With q = (1 − e^(−αp))/α the equation is that of constant viscosity: p = −ln(1 − αq)/α with Taylor's q = V/(4h²)."""
+    film = SqueezeFilm.on(GRID, "height", fluid=Barus(alpha))
+    h = 0.7 + film.parabola
+    p = -np.log1p(-alpha * 0.3 / (4 * h**2)) / alpha
+    fluidity, _ = film.fluid.fluidity(film.midpoint @ p)
+    flux = film.conductance * fluidity * (film.midpoint @ h) ** 3 * (film.slope @ p)
+    assert film.rate(flux)[:-2] == pytest.approx(-0.3, rel=5e-4)

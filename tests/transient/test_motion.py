@@ -1,0 +1,98 @@
+"""Histories: what they say, and what is refused."""
+
+import json
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from softlube.errors import InputError
+from softlube.model.exact import HERTZ_LOAD
+from softlube.model.liquids import Barus
+from softlube.model.substrates import Layer
+from softlube.transient.drives import sampled
+from softlube.transient.motion import Motion, constant_load, constant_speed, history
+from softlube.transient.squeeze.rings import SqueezeFilm
+
+
+def _start(motion):
+    film = SqueezeFilm.on(motion.grid(96), motion.control)
+    return film, motion.first_pressure(film)
+
+
+def test_start_of_a_light_load_is_taylor_s():
+    film, p = _start(constant_load(1e-6, 2.0, 1.0))
+    assert p == pytest.approx(1e-6 * 2 * 2 / np.pi / 4 / (2 + film.parabola) ** 2, rel=2e-4)
+    assert film.load(p) == pytest.approx(1e-6, rel=1e-9)
+
+
+def test_start_of_a_constant_speed_squeezes_out_what_it_displaces():
+    """u³ ∂p/∂r = −V r/2 with the film that the pressure makes."""
+    film, p = _start(constant_speed(0.5, 1.0, 1.0))
+    u = 1.0 + film.parabola + film.compliance @ p
+    assert u[0] > 1.3  # not a rigid sphere
+    flux = film.conductance * (film.midpoint @ u) ** 3 * (film.slope @ p)
+    rate = film.rate(flux)
+    assert rate[film.grid.r[: film.n] < 10] == pytest.approx(-0.5, rel=2e-3)
+
+
+def test_separation_starts_at_rest():
+    assert not np.any(_start(constant_speed(-0.5, 1.0, 1.0))[1])
+
+
+def test_lowest_height_is_that_of_the_dry_contact():
+    assert constant_load(8 * HERTZ_LOAD, 2.0, 10.0).lowest_height == pytest.approx(-4)
+    assert constant_load(1e-6, 2.0, 1e6).lowest_height == pytest.approx(2 * np.exp(-2 / np.pi))  # Taylor's law
+    assert constant_speed(2.0, 1.0, 3.0).lowest_height == pytest.approx(-5)
+
+
+def test_history_passes_through_its_points_without_overshoot():
+    time, values = [0, 1, 2, 4], [0.0, 1.0, 1.0, 0.2]
+    motion = history("load", time, values, 2.0)
+    assert [float(motion.drive(t)) for t in time] == pytest.approx(values)
+    assert motion.samples.max() <= 1 + 1e-12
+    assert (motion.duration, motion.initial_height) == (4.0, 2.0)
+    assert history("height", [0, 1], [3.0, 2.0]).initial_height == 3.0
+
+
+@pytest.mark.parametrize(
+    "motion",
+    [
+        constant_load(0.1, 2.0, 3.0),
+        constant_speed(-0.5, 1.0, 0.3),
+        history("load", [0, 1, 2, 4], [0.0, 1.0, 1.0, 0.2], 2.0),
+        replace(history("height", [0, 1], [3.0, 2.0]), substrate=Layer(0.5, 0.3), fluid=Barus(2.0)),
+    ],
+    ids=["load", "speed", "history", "models"],
+)
+def test_motions_come_back_from_plain_values(motion):
+    again = Motion.from_plain(json.loads(json.dumps(motion.to_plain())))
+    assert again == motion == pickle.loads(pickle.dumps(motion))
+    times = np.linspace(0, motion.duration, 101)
+    assert np.array_equal(sampled(again.drive, times), [motion.drive(t) for t in times])
+
+
+def test_a_function_has_no_plain_values():
+    with pytest.raises(InputError, match="a function of the time cannot be written down"):
+        Motion("load", lambda t: 1.0, 1.0, 1.0).to_plain()
+
+
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (lambda: constant_load(0.0, 1.0, 1.0), "nothing moves"),
+        (lambda: constant_load(1.0, -1.0, 1.0), "initial_height"),
+        (lambda: constant_speed(1.0, 1.0, np.inf), "duration"),
+        (lambda: Motion("speed", lambda t: 1.0, 1.0, 1.0), "control"),  # type: ignore[arg-type]
+        (lambda: constant_speed(np.nan, 1.0, 1.0), "finite"),
+        (lambda: history("load", [0, 1], [1, 2]), "initial_height"),
+        (lambda: history("load", [0], [1], 1.0), "two points"),
+        (lambda: history("load", [1, 2], [1, 2], 1.0), "start at 0"),
+        (lambda: history("load", [0, 2, 1], [1, 2, 3], 1.0), "increase"),
+        (lambda: history("load", [0, 1], [1, np.nan], 1.0), "finite"),
+    ],
+)
+def test_refused(make, text):
+    with pytest.raises(InputError, match=text):
+        make()
