@@ -34,12 +34,12 @@ SHORTEST = 60.0
 
 def main() -> None:
     print("β by the load, substrate, liquid: relative difference (error in solve) of " + ", ".join(COMPARED))
-    for beta, substrate, fluid in CASES:
-        motion = replace(constant_load(HERTZ_LOAD, 1.0, max(LONG * beta, SHORTEST)), substrate=substrate, fluid=fluid)
+    for beta, substrate, liquid in CASES:
+        motion = replace(constant_load(HERTZ_LOAD, 1.0, max(LONG * beta, SHORTEST)), substrate=substrate, liquid=liquid)
         late = measure(start_sliding(beta, motion, n_theta=18, tolerance=2e-3).fields[-1])
-        steady = softlube.solve(beta_load=beta, substrate=substrate, fluid=fluid).quantities
+        steady = softlube.solve(beta_load=beta, substrate=substrate, liquid=liquid).quantities
         row = [f"{abs(late[name] / steady[name] - 1):.1e} ({steady[name].error / abs(steady[name]):.0e})" for name in COMPARED]
-        print(f"{beta:g}, {substrate}, {fluid}: {', '.join(row)}", flush=True)
+        print(f"{beta:g}, {substrate}, {liquid}: {', '.join(row)}", flush=True)
 
 
 if __name__ == "__main__":

@@ -32,7 +32,7 @@ def test_soft_contact_and_an_oil(capsys):
 
 def test_barus_from_python():
     beta_load = BETA_LOAD_OF_M * 20 ** (4 / 3)
-    solution = softlube.solve(beta_load=beta_load, fluid=Barus(float(alpha_of_moes(20, 2.5))))
+    solution = softlube.solve(beta_load=beta_load, liquid=Barus(float(alpha_of_moes(20, 2.5))))
     assert float(moes_film(solution.film_center, beta_load)) == pytest.approx(2.364, abs=1e-3)
 
 

@@ -110,10 +110,10 @@ def test_density_of_dowson_and_higginson():
 
 
 def test_a_stiff_liquid_is_incompressible():
-    problem = Problem(beta=200.0, fluid=Barus(3.0))
+    problem = Problem(beta=200.0, liquid=Barus(3.0))
     grid = grid_for(problem, 18)
     plain = solve_level(problem, grid, None).level.values
-    stiff = solve_level(Problem(beta=200.0, fluid=DowsonHigginson(Barus(3.0), 1e7)), grid, None).level.values
+    stiff = solve_level(Problem(beta=200.0, liquid=DowsonHigginson(Barus(3.0), 1e7)), grid, None).level.values
     for name, value in plain.items():
         assert stiff[name] == pytest.approx(value, rel=1e-6, abs=1e-9), name
 
@@ -121,14 +121,14 @@ def test_a_stiff_liquid_is_incompressible():
 def test_a_denser_liquid_makes_a_thinner_film_and_keeps_its_mass():
     """The film under the centre is thinner, but not by the whole of the density there: what comes in is denser, too."""
     beta, liquid = 100.0, DowsonHigginson(Barus(3.0), 0.3)
-    plain, dense = (softlube.solve(beta, fluid=fluid, cavitation="none") for fluid in (Barus(3.0), liquid))
+    plain, dense = (softlube.solve(beta, liquid=liquid, cavitation="none") for liquid in (Barus(3.0), liquid))
     density = float(liquid.density(np.array([dense.pressure_center]))[0][0])
     assert density > 1.1
     assert plain.film_center / density < dense.film_center < 0.95 * plain.film_center
     for radius in (0.4, 0.8, 1.5):
         assert abs(net_flux(dense, radius)) < 5e-5
         # Volume alone does not balance.
-        assert abs(net_flux(replace(dense, fields=replace(dense.fields, fluid=Barus(3.0))), radius)) > 1e-3
+        assert abs(net_flux(replace(dense, fields=replace(dense.fields, liquid=Barus(3.0))), radius)) > 1e-3
 
 
 def test_roelands_starts_like_barus_and_is_it_for_z_1():
@@ -175,14 +175,14 @@ def test_no_pressure_dependence_is_constant_viscosity():
     grid = grid_for(problem, 18)
     plain = solve_level(problem, grid, None).level.values
     for law in (Barus(0.0), Barus(1e-9)):
-        level = solve_level(Problem(beta=200.0, fluid=law), grid, None).level.values
+        level = solve_level(Problem(beta=200.0, liquid=law), grid, None).level.values
         for name, value in plain.items():
             assert level[name] == pytest.approx(value, rel=1e-6, abs=1e-9), name
 
 
 @pytest.mark.parametrize("law", LAWS)
 def test_global_mass_balance_to_round_off(law):
-    problem = Problem(beta=100.0, cavitation="none", fluid=law)
+    problem = Problem(beta=100.0, cavitation="none", liquid=law)
     grid = grid_for(problem, 18)
     x = solve_level(problem, grid, None).x
     system = ContactSystem(problem, grid)
@@ -195,7 +195,7 @@ def test_a_thickening_liquid_makes_a_thicker_film_and_more_friction():
     m, material = 20.0, 2.5
     beta_load = BETA_LOAD_OF_M * m ** (4 / 3)
     plain = softlube.solve(beta_load=beta_load)
-    thick = softlube.solve(beta_load=beta_load, fluid=Barus(float(alpha_of_moes(m, material))))
+    thick = softlube.solve(beta_load=beta_load, liquid=Barus(float(alpha_of_moes(m, material))))
     assert thick.film_center > plain.film_center
     assert thick.friction_domain > 1.5 * plain.friction_domain
     # The published formula is a fit over all M and L; without pressure dependence it is as far off here.
@@ -263,7 +263,7 @@ def test_density_that_changes_with_time_is_refused(capsys):
         ({"poisson_ratio": "half"}, "poisson_ratio: expected a number"),
     ],
 )
-def test_bad_fluids_are_refused(change, message):
+def test_bad_liquids_are_refused(change, message):
     inputs = {"radius": 2e-3, "young_modulus": 3e6, "viscosity": 2.0, "speed": 1e-4, "load": 0.1}
     with pytest.raises(softlube.InputError, match=message):
         softlube.Contact(**(inputs | change)).problem()

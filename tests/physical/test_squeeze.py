@@ -10,7 +10,7 @@ import xarray as xr
 import softlube
 from softlube import substrates
 from softlube.errors import InputError, NotConvergedError
-from softlube.model import liquids as fluids
+from softlube.model import liquids as liquids
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.substrates import Layer
@@ -151,7 +151,7 @@ def test_the_file_records_substrate_and_liquid(tmp_path):
         assert (inputs["thickness"], inputs["poisson_ratio"], inputs["base"]) == (1e-3, 0.4, "frictionless")
         assert inputs["pressure_viscosity"] == pytest.approx(1e-6)
         assert substrates.from_plain(json.loads(data.attrs["substrate"])) == press.run.motion.substrate
-        assert fluids.from_plain(json.loads(data.attrs["fluid"])) == press.run.motion.fluid
+        assert liquids.from_plain(json.loads(data.attrs["liquid"])) == press.run.motion.liquid
         assert data.film.attrs["units"] == "m"
     press.plot(tmp_path / "a.png")
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import RectBivariateSpline
 
-from softlube.model.liquids import Fluid, Newtonian
+from softlube.model.liquids import Liquid, Newtonian
 from softlube.model.problem import Cavitation
 
 Array = NDArray[np.floating]
@@ -49,7 +49,7 @@ class Fields:
         ∫p dA over the whole plane, taken by the discretisation's own quadrature.
     height : float
         h₀ over the unit of height: −1 in the paper's normalisation.
-    fluid : Fluid
+    liquid : Liquid
         The law of the viscosity.
     """
 
@@ -62,7 +62,7 @@ class Fields:
     cavitation: Cavitation
     load: float
     height: float = -1.0
-    fluid: Fluid = field(default_factory=Newtonian)
+    liquid: Liquid = field(default_factory=Newtonian)
 
     def in_units(self, unit: float) -> Fields:
         """The same fields normalised with another unit of height, given over the present one; Eq. (4)."""
@@ -76,7 +76,7 @@ class Fields:
             cavitation=self.cavitation,
             load=self.load * unit**-1.5,
             height=self.height / unit,
-            fluid=self.fluid.in_units(unit),
+            liquid=self.liquid.in_units(unit),
         )
 
     def _spline(self, values: Array) -> RectBivariateSpline:
@@ -99,7 +99,7 @@ class Fields:
     @cached_property
     def reduced_spline(self) -> RectBivariateSpline:
         """Reduced pressure q = ∫ η₀/η dp (ξ, s), whose gradient drives the flow and which knows nothing of spikes."""
-        reduced = self.fluid.reduced_pressure(self.pressure)
+        reduced = self.liquid.reduced_pressure(self.pressure)
         return self.pressure_spline if reduced is self.pressure else self._spline(reduced)
 
     @cached_property
@@ -130,7 +130,7 @@ class Fields:
 
     def viscosity_on(self, xi: Array, s: Array) -> Array:
         """η(p)/η₀ on the product of chart coordinates."""
-        return self.fluid.viscosity(self.pressure_spline(xi, s))
+        return self.liquid.viscosity(self.pressure_spline(xi, s))
 
     def gradient_on(self, xi: Array, s: Array, spline: RectBivariateSpline | None = None) -> tuple[Array, Array]:
         """Cartesian gradient of the pressure, or of another spline, on the product of chart coordinates ξ > 0 and s."""

@@ -2,7 +2,7 @@
 
     ∇·(ρφu³∇p) + (1/β) ∂(ρu)/∂x = 0,
 
-ρ the density and φ = η₀/η(p) the fluid's fluidity, 1 in the paper, and φ∇p = ∇q with the reduced pressure q of
+ρ the density and φ = η₀/η(p) the liquid's fluidity, 1 in the paper, and φ∇p = ∇q with the reduced pressure q of
 `softlube.model.liquids`.  In the uniform coordinates (ξ, s) the flux f = ρu³∇q + (ρu/β) e_x balances as
 ∂_ξ(θ′ r f_r) + ∂_s(r′ f_θ) = 0 with r′ = dr/dξ and θ′ = dθ/ds.  Fluxes live on the faces of the cells: gradient and film come
 from the four nearest nodes, the divergence from the four nearest faces.  The metric factors of the Couette flux are
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from softlube.discretization.grid import PolarGrid
-from softlube.model.liquids import Fluid, Newtonian
+from softlube.model.liquids import Liquid, Newtonian
 
 Array = NDArray[np.floating]
 Sparse = sparse.csr_array
@@ -154,7 +154,7 @@ class ReynoldsOperator:
             drag=drag,
         )
 
-    def residual(self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT) -> Array:
+    def residual(self, pressure: Array, film: Array, speed: float, liquid: Liquid = CONSTANT) -> Array:
         """Minus the balance of (6a) at the unknown nodes; positive where the film would be starved (p = 0).
 
         Parameters
@@ -163,7 +163,7 @@ class ReynoldsOperator:
             On all nodes, rim included.
         speed : float
             1/β, the normalised speed.
-        fluid : Fluid
+        liquid : Liquid
             Of its reduced pressure q and its density ρ the flux is ρu³∇q.
 
         Notes
@@ -176,19 +176,19 @@ class ReynoldsOperator:
         at all for constant viscosity.
         """
         balance = 0.0
-        for face in self._faces(pressure, film, fluid):
+        for face in self._faces(pressure, film, liquid):
             poiseuille = face.density * face.conductance * face.film**3 * face.gradient
             balance = balance + face.divergence @ (poiseuille + speed * face.drag * (face.carried + face.weight * face.bias))
         return -np.asarray(balance)
 
-    def derivatives(self, pressure: Array, film: Array, speed: float, fluid: Fluid = CONSTANT) -> tuple[Sparse, Sparse]:
+    def derivatives(self, pressure: Array, film: Array, speed: float, liquid: Liquid = CONSTANT) -> tuple[Sparse, Sparse]:
         """Exact derivatives of `residual` by pressure and by film, each (unknown nodes, all nodes), sparse."""
         shape = (self.divergence[0].shape[0], self.slope[0].shape[1])
         by_reduced, by_film, by_weight, by_density = (sparse.csr_array(shape) for _ in range(4))
-        fluidity, thickening = fluid.fluidity(pressure)  # q′(p) and its change
-        density, stiffness = fluid.density(pressure)
+        fluidity, thickening = liquid.fluidity(pressure)  # q′(p) and its change
+        density, stiffness = liquid.density(pressure)
         compressible = np.any(stiffness)
-        for face in self._faces(pressure, film, fluid):
+        for face in self._faces(pressure, film, liquid):
             mobility = face.conductance * face.film**3
             carried = scaled_rows(face.midpoint, speed * face.drag)  # ∂/∂(ρu)
             if np.any(face.weight):
@@ -207,11 +207,11 @@ class ReynoldsOperator:
         by_pressure = scaled_columns(by_reduced, fluidity) + scaled_columns(by_weight, -thickening)
         return Sparse(by_pressure + scaled_columns(by_density, stiffness)), by_film
 
-    def _faces(self, pressure: Array, film: Array, fluid: Fluid) -> Iterator[_Faces]:
+    def _faces(self, pressure: Array, film: Array, liquid: Liquid) -> Iterator[_Faces]:
         """What both need on the radial faces, then on the angular ones."""
         parts = (self.slope, self.midpoint, self.upstream, self.divergence, self.conductance, self.drag)
-        reduced, fluidity = fluid.reduced_pressure(pressure), fluid.fluidity(pressure)[0]
-        density = fluid.density(pressure)[0]
+        reduced, fluidity = liquid.reduced_pressure(pressure), liquid.fluidity(pressure)[0]
+        density = liquid.density(pressure)[0]
         for slope, midpoint, upstream, divergence, conductance, drag in zip(*parts, strict=True):
             yield _Faces(
                 slope,

@@ -50,7 +50,7 @@ class ContactSystem:
 
     They keep their form whatever height the lengths are normalised with.  So the unit is chosen to suit the grid: the
     problem's own (|h₀|, or the Hertz indentation of the load) times `scale`, which makes β scale² times the problem's, and
-    the load 4/(3π) scale^(−3/2) where it is prescribed; substrate and fluid come along.
+    the load 4/(3π) scale^(−3/2) where it is prescribed; substrate and liquid come along.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ class ContactSystem:
         self.speed = 1 / self.beta
         self.prescribed = HERTZ_LOAD * scale**-1.5 if problem.load_controlled else problem.height / scale
         # Lengths scale with the root of the unit, and so do pressures.
-        self.material, self.fluid = problem.substrate.in_units(scale), problem.fluid.in_units(scale)
+        self.material, self.liquid = problem.substrate.in_units(scale), problem.liquid.in_units(scale)
         self.substrate, self.reynolds, self.stiffness = _operators(grid, problem.cavitation, self.material)
         self.self_deflection = 1 / np.abs(self.stiffness.diagonal())
         n, load_controlled = grid.n_unknown, problem.load_controlled
@@ -120,7 +120,7 @@ class ContactSystem:
             cavitation=self.problem.cavitation,
             load=self.load(x),
             height=self.height(x),
-            fluid=self.fluid,
+            liquid=self.liquid,
         )
         return fields.in_units(1 / self.scale)
 
@@ -185,13 +185,13 @@ class LinearisedContact:
     def residual(self) -> Array:
         """Reynolds residual at the unknown nodes, then the load's defect under load control."""
         system = self.system
-        reynolds = system.reynolds.residual(system.pressure(self.x), self.film, system.speed, system.fluid)
+        reynolds = system.reynolds.residual(system.pressure(self.x), self.film, system.speed, system.liquid)
         return np.append(reynolds, system.load(self.x) - system.prescribed) if system.problem.load_controlled else reynolds
 
     @cached_property
     def _derivatives(self) -> tuple[Sparse, Sparse]:
         system = self.system
-        return system.reynolds.derivatives(system.pressure(self.x), self.film, system.speed, system.fluid)
+        return system.reynolds.derivatives(system.pressure(self.x), self.film, system.speed, system.liquid)
 
     @cached_property
     def _within(self) -> tuple[Sparse, Sparse]:
@@ -253,6 +253,6 @@ class LinearisedContact:
         change = self.system.film_change(step)
         falling = change < 0
         film = float(np.min((1 - FILM_KEPT) * self.film[falling] / -change[falling], initial=1.0))
-        fluidity, slope = self.system.fluid.fluidity(self.x[:n])
+        fluidity, slope = self.system.liquid.fluidity(self.x[:n])
         thinning = float(np.max(slope / fluidity * step[:n], initial=0.0))
         return min(film, LARGEST_THINNING / thinning) if thinning > LARGEST_THINNING else film

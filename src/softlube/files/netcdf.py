@@ -157,7 +157,7 @@ def load(path: str | os.PathLike[str]) -> Solution:
             cavitation=problem.cavitation,
             load=float(quantities["load"]),
             height=float(attrs["height"]),
-            fluid=problem.fluid,
+            liquid=problem.liquid,
         ),
         quantities=quantities,
         beta=float(attrs["beta"]),

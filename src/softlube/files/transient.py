@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import xarray as xr
 
-from softlube.model import liquids as fluids
+from softlube.model import liquids as liquids
 from softlube.model import substrates
 from softlube.transient.extremes import Extremes
 from softlube.transient.squeeze.result import DESCRIPTION, DIMENSION
@@ -61,7 +61,7 @@ def to_dataset(result: Squeeze) -> xr.Dataset:
         "rings": json.dumps(summary["rings"]),
         "warnings": json.dumps(summary["warnings"]),
         "substrate": json.dumps(substrates.to_plain(run.motion.substrate)),
-        "fluid": json.dumps(fluids.to_plain(run.motion.fluid)),
+        "liquid": json.dumps(liquids.to_plain(run.motion.liquid)),
     }
     return in_units(xr.Dataset(data, coords=coordinates, attrs=attributes), result.setup)
 

@@ -1,4 +1,4 @@
-"""What lies between: a fluid is a law of its viscosity, and of its density, against the pressure.
+"""What lies between: a liquid is a law of its viscosity, and of its density, against the pressure.
 
 Laws are normalised: η and ρ over their values η₀ and ρ₀ at zero pressure, pressures with 4πG√(unit of height/R) (E* in place
 of 4G).  The Reynolds equation has the fluidity φ = η₀/η as a factor of u³∇p; with the reduced pressure q = ∫ φ dp (Grubin)
@@ -27,7 +27,7 @@ Array = NDArray[np.floating]
 ROELANDS_PRESSURE = 1.962e8
 """Roelands' reference pressure [Pa], 1/(5.1e-9 Pa⁻¹)."""
 ROELANDS_VISCOSITY = 6.31e-5
-"""Viscosity [Pa s] that every Roelands fluid has at p = −`ROELANDS_PRESSURE`: ln η₀ + 9.67 = ln(η₀/6.31e-5)."""
+"""Viscosity [Pa s] that every Roelands liquid has at p = −`ROELANDS_PRESSURE`: ln η₀ + 9.67 = ln(η₀/6.31e-5)."""
 LARGEST_EXPONENT = 200.0
 """Bound of |ln η/η₀|, so that a wild iterate of Newton's method raises no overflow."""
 DENSITY_PRESSURE = 5.9e8
@@ -38,12 +38,12 @@ SMALLEST_RATIO, LARGEST_RATIO = 1e-3, 1e4
 """Bounds of 1 + p/p₀ in Roelands' law, for the same reason."""
 
 
-class Fluid(Protocol):
-    """What the solver asks of a fluid."""
+class Liquid(Protocol):
+    """What the solver asks of a liquid."""
 
     kind: ClassVar[str]
 
-    def in_units(self, unit: float) -> Fluid:
+    def in_units(self, unit: float) -> Liquid:
         """The same with another unit of height, given over the present one; pressures scale with its root."""
         ...
 
@@ -63,7 +63,7 @@ class Fluid(Protocol):
         """ρ(p)/ρ₀ and its derivative."""
         ...
 
-    def weakened(self, share: float) -> Fluid:
+    def weakened(self, share: float) -> Liquid:
         """The law with a share (0 to 1) of its viscosity's rise, for marching up to it; constant viscosity for 0."""
         ...
 
@@ -78,7 +78,7 @@ class Incompressible:
 
 @dataclass(frozen=True)
 class Newtonian(Incompressible):
-    """Constant viscosity, the paper's fluid."""
+    """Constant viscosity, the paper's liquid."""
 
     kind: ClassVar[str] = "newtonian"
 
@@ -125,7 +125,7 @@ class Barus(Incompressible):
         _checked("alpha", self.alpha)
 
     def in_units(self, unit: float) -> Barus:
-        """The same fluid with another unit of height."""
+        """The same liquid with another unit of height."""
         return replace(self, alpha=self.alpha * math.sqrt(unit))
 
     def viscosity(self, pressure: Array) -> Array:
@@ -192,7 +192,7 @@ class Roelands(Incompressible):
         return cls(alpha * pressure_unit, exponent, ROELANDS_PRESSURE / pressure_unit)
 
     def in_units(self, unit: float) -> Roelands:
-        """The same fluid with another unit of height."""
+        """The same liquid with another unit of height."""
         return replace(self, alpha=self.alpha * math.sqrt(unit), reference=self.reference / math.sqrt(unit))
 
     def _logarithm(self, pressure: Array) -> tuple[Array, Array]:
@@ -232,13 +232,13 @@ class DowsonHigginson:
 
     Parameters
     ----------
-    liquid : Fluid
+    liquid : Liquid
         What has the viscosity.
     reference : float
         p₁ over the unit of pressure.
     """
 
-    liquid: Fluid
+    liquid: Liquid
     reference: float
     kind: ClassVar[str] = "dowson-higginson"
 
@@ -247,7 +247,7 @@ class DowsonHigginson:
             raise InputError(f"reference: expected a positive, finite pressure, got {self.reference!r}")
 
     @classmethod
-    def of(cls, liquid: Fluid, pressure_unit: float) -> DowsonHigginson:
+    def of(cls, liquid: Liquid, pressure_unit: float) -> DowsonHigginson:
         """With the unit of pressure in Pa."""
         return cls(liquid, DENSITY_PRESSURE / pressure_unit)
 
@@ -307,17 +307,17 @@ def _roelands_rest(steepness: float, exponent: float) -> tuple[float, CubicHermi
 
 
 KINDS: dict[str, Any] = {cls.kind: cls for cls in (Newtonian, Barus, Roelands, DowsonHigginson)}
-"""Every fluid by its name in files."""
+"""Every liquid by its name in files."""
 
 
-def to_plain(fluid: Fluid) -> dict[str, Any]:
-    """A fluid in plain values, for files."""
-    return {"kind": fluid.kind} | {
-        name: to_plain(value) if hasattr(value, "kind") else value for name, value in vars(fluid).items()
+def to_plain(liquid: Liquid) -> dict[str, Any]:
+    """A liquid in plain values, for files."""
+    return {"kind": liquid.kind} | {
+        name: to_plain(value) if hasattr(value, "kind") else value for name, value in vars(liquid).items()
     }
 
 
-def from_plain(values: dict[str, Any] | None) -> Fluid:
+def from_plain(values: dict[str, Any] | None) -> Liquid:
     """Inverse of `to_plain`; constant viscosity where nothing was written."""
     if not values:
         return Newtonian()

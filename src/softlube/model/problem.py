@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
 from softlube.errors import InputError
-from softlube.model import liquids as fluids
+from softlube.model import liquids as liquids
 from softlube.model import substrates
-from softlube.model.liquids import Fluid, Newtonian
+from softlube.model.liquids import Liquid, Newtonian
 from softlube.model.substrates import HalfSpace, Substrate
 
 Cavitation = Literal["reynolds", "none"]
@@ -37,7 +37,7 @@ class Problem:
     substrate : Substrate
         What the sphere slides over, see `softlube.substrates`; lengths over √(R × unit of height), where the unit is what β is
         formed with: |h₀|, or the Hertz indentation that the load would make in a half-space.
-    fluid : Fluid
+    liquid : Liquid
         The laws of viscosity and density, see `softlube.model.liquids`; pressures over 4πG√(unit of height/R).
 
     Raises
@@ -52,7 +52,7 @@ class Problem:
     cavitation: Cavitation = "reynolds"
     height: int = -1
     substrate: Substrate = field(default_factory=HalfSpace)
-    fluid: Fluid = field(default_factory=Newtonian)
+    liquid: Liquid = field(default_factory=Newtonian)
 
     def __post_init__(self) -> None:
         if (self.beta is None) == (self.beta_load is None):
@@ -76,7 +76,7 @@ class Problem:
     def to_plain(self) -> dict[str, Any]:
         """The problem in plain values, for files; one of the paper's model looks as it did before there were others."""
         values: dict[str, Any] = {name: getattr(self, name) for name in ("beta", "beta_load", "cavitation", "height")}
-        models = {"substrate": substrates.to_plain(self.substrate), "fluid": fluids.to_plain(self.fluid)}
+        models = {"substrate": substrates.to_plain(self.substrate), "liquid": liquids.to_plain(self.liquid)}
         return values | {name: model for name, model in models.items() if len(model) > 1}
 
     @classmethod
@@ -84,7 +84,7 @@ class Problem:
         """Inverse of `to_plain`."""
         models: dict[str, Any] = {
             "substrate": substrates.from_plain(values.get("substrate")),
-            "fluid": fluids.from_plain(values.get("fluid")),
+            "liquid": liquids.from_plain(values.get("liquid")),
         }
         return cls(**(dict(values) | models))
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from softlube.errors import InputError
-from softlube.model.liquids import Fluid
+from softlube.model.liquids import Liquid
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import Quantity
 from softlube.model.substrates import Layer, Substrate
@@ -193,14 +193,14 @@ class Contact(Materials):
         """What the sphere slides over, dimensionless."""
         return self.substrate_for(self.unit_height)
 
-    def fluid(self) -> Fluid:
+    def liquid(self) -> Liquid:
         """The laws of viscosity and density, dimensionless."""
-        return self.fluid_for(self.unit_height)
+        return self.liquid_for(self.unit_height)
 
     def problem(self) -> Problem:
         """The dimensionless problem, Eq. (6d) or (30)."""
         beta = self.beta(self.unit_height, self.speed)
-        models: dict[str, Any] = {"substrate": self.substrate(), "fluid": self.fluid()}
+        models: dict[str, Any] = {"substrate": self.substrate(), "liquid": self.liquid()}
         if self.load is not None:
             return Problem(beta_load=beta, cavitation=self.cavitation, **models)
         assert self.indentation is not None

@@ -12,7 +12,7 @@ import numpy as np
 from softlube.errors import InputError
 from softlube.model.dry import DryContact, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Barus, DowsonHigginson, Fluid, Newtonian, Roelands
+from softlube.model.liquids import Barus, DowsonHigginson, Liquid, Newtonian, Roelands
 from softlube.model.substrates import Base, HalfSpace, Layer, Substrate, check_poisson_ratio
 from softlube.physical.units import KINDS, to_si
 
@@ -117,10 +117,10 @@ class Materials:
             return HalfSpace()
         return Layer(self.thickness / math.sqrt(self.radius * height), self.poisson_ratio, self.base)
 
-    def fluid_for(self, height: float) -> Fluid:
+    def liquid_for(self, height: float) -> Liquid:
         """The laws of viscosity and density, normalised with a height [m]."""
         pressure = self.scales(height)["pressure"][0]
-        law: Fluid = Newtonian()
+        law: Liquid = Newtonian()
         if self.pressure_viscosity is not None and self.viscosity_law == "barus":
             law = Barus(self.pressure_viscosity * pressure)
         elif self.pressure_viscosity is not None:
@@ -131,12 +131,12 @@ class Materials:
         """Warnings if viscosity or density are given as rising, and hardly rise up to a pressure [Pa]."""
         height = self.radius  # any height: η(p) does not know what it is normalised with
         highest = np.array([highest_pressure / self.scales(height)["pressure"][0]])
-        fluid = self.fluid_for(height)
+        liquid = self.liquid_for(height)
         rises = {}
         if self.pressure_viscosity is not None:
-            rises["viscosity"] = float(fluid.viscosity(highest)[0]) - 1
+            rises["viscosity"] = float(liquid.viscosity(highest)[0]) - 1
         if self.density_law != "constant":
-            rises["density"] = float(fluid.density(highest)[0][0]) - 1
+            rises["density"] = float(liquid.density(highest)[0][0]) - 1
         return [
             f"the {name} rises by {100 * rise:.2g} % at most with the pressure: a constant one would do as well"
             for name, rise in rises.items()

@@ -340,4 +340,4 @@ def _motion(
         motion = constant_load(load / scale, start, end)
     else:
         motion = constant_speed(speed * time / unit, start, end)
-    return replace(motion, substrate=setup.substrate_for(unit), fluid=setup.fluid_for(unit))
+    return replace(motion, substrate=setup.substrate_for(unit), liquid=setup.liquid_for(unit))

@@ -88,7 +88,7 @@ def _level(
 
 def _viscosity(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Array:
     """η/η₀ at polar coordinates."""
-    return solution.fields.fluid.viscosity(solution.fields.pressure_at(r, theta))
+    return solution.fields.liquid.viscosity(solution.fields.pressure_at(r, theta))
 
 
 def _check_frame(frame: str) -> None:
@@ -176,7 +176,7 @@ def flux(solution: Solution, r: ArrayLike, theta: ArrayLike, *, frame: Frame = "
     The flux of mass over the density at zero pressure: of volume, where the density is constant.
     """
     v_r, v_t = mean_velocity(solution, r, theta, frame=frame)
-    density, _ = solution.fields.fluid.density(solution.fields.pressure_at(r, theta))
+    density, _ = solution.fields.liquid.density(solution.fields.pressure_at(r, theta))
     depth = density * solution.fields.film_at(r, theta) * filling(solution, r, theta)
     return v_r * depth, v_t * depth
 
@@ -287,7 +287,7 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
     list of ndarray, shape (m, 2)
         (x, ζ) along each line; the height is w̄ + ζū.
     """
-    chart, fluid = solution.fields.chart, solution.fields.fluid
+    chart, liquid = solution.fields.chart, solution.fields.liquid
     film_spline, pressure_spline = solution.fields.film_spline, solution.fields.pressure_spline
 
     def direction(x: Array, zeta: Array) -> tuple[Array, Array]:
@@ -295,7 +295,7 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
         r, theta = np.maximum(np.abs(x), CENTRE), np.where(x >= 0, 0.0, np.pi)
         v_r, _ = velocity(solution, r, theta, level=zeta, frame="sphere")
         xi, s = chart.xi_of(r), chart.s_of(theta)
-        density, stiffness = fluid.density(pressure_spline(xi, s, grid=False))
+        density, stiffness = liquid.density(pressure_spline(xi, s, grid=False))
         growth = film_spline(xi, s, dx=1, grid=False) / film_spline(xi, s, grid=False)
         growth = growth + stiffness / density * pressure_spline(xi, s, dx=1, grid=False)  # of ρū, relative
         return v_r * np.cos(theta), zeta * (1 - zeta) ** 2 * np.cos(theta) * growth / chart.dr_dxi(r)

@@ -102,7 +102,7 @@ def thicken(problem: Problem, grid: PolarGrid, start: Array, rise: float, *, sca
             if problem.cavitation == "reynolds":
                 n = grid.n_unknown
                 guess[:n] = np.where(state[:n] > 0, np.maximum(guess[:n], 0), 0)
-        system = ContactSystem(replace(problem, fluid=problem.fluid.weakened(there)), grid, scale)
+        system = ContactSystem(replace(problem, liquid=problem.liquid.weakened(there)), grid, scale)
         result = newton(system, guess, max_iterations=STEPS)
         if result.converged:
             yield result

@@ -16,7 +16,7 @@ from softlube.discretization.measure import measure
 from softlube.discretization.system import ContactSystem
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Fluid, Newtonian
+from softlube.model.liquids import Liquid, Newtonian
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
 from softlube.model.substrates import HalfSpace, Substrate
@@ -127,7 +127,7 @@ def _unknowns(problem: Problem, grid: PolarGrid, start: Array | None, history: l
                 beta=problem.parameter * depth**2,
                 beta_load=None,
                 substrate=problem.substrate.in_units(depth),
-                fluid=problem.fluid.in_units(depth),
+                liquid=problem.liquid.in_units(depth),
             )
             held = newton(ContactSystem(pressed, grid, system.scale / depth), start[:-1])
             history += held.history
@@ -146,7 +146,7 @@ def _unknowns(problem: Problem, grid: PolarGrid, start: Array | None, history: l
 
 def _thickened(problem: Problem, grid: PolarGrid, history: list[Iteration]) -> Array:
     """Solve with constant viscosity, then march up to the problem's own liquid."""
-    plain = _unknowns(replace(problem, fluid=problem.fluid.weakened(0.0)), grid, None, history)
+    plain = _unknowns(replace(problem, liquid=problem.liquid.weakened(0.0)), grid, None, history)
     result = None
     for result in thicken(problem, grid, plain, thickening(problem), scale=unit_for(problem)):
         history += result.history
@@ -214,7 +214,7 @@ def solve(
     beta_load: float | None = None,
     cavitation: str = "reynolds",
     substrate: Substrate | None = None,
-    fluid: Fluid | None = None,
+    liquid: Liquid | None = None,
     accuracy: float = DEFAULT_ACCURACY,
     method: str = "newton",
     progress: Callable[[str], None] | None = None,
@@ -231,7 +231,7 @@ def solve(
         Reynolds condition, or negative pressures allowed.
     substrate : Substrate, optional
         Of `softlube.substrates`; the half-space if none.
-    fluid : Fluid, optional
+    liquid : Liquid, optional
         Of `softlube.model.liquids`; constant viscosity if none.
     accuracy : float
         Relative error aimed at (film_min and shear_rate_max: three times that, ten times beyond β = 3·10⁶).  Grids follow
@@ -265,7 +265,7 @@ def solve(
         beta_load,
         cavitation,  # type: ignore[arg-type]
         substrate=substrate or HalfSpace(),
-        fluid=fluid or Newtonian(),
+        liquid=liquid or Newtonian(),
     )
     return solve_problem(problem, accuracy=accuracy, method=method, progress=progress)
 

@@ -119,7 +119,7 @@ def over_a_gap(problem: Problem) -> bool:
 def thickening(problem: Problem) -> float:
     """Ln η/η₀ at the largest pressure of the dry contact, (2/π²)√(indentation) on a half-space."""
     highest = HERTZ_PRESSURE * np.sqrt(dry_under(problem).indentation)
-    return float(np.log(problem.fluid.viscosity(np.array([highest]))[0]))
+    return float(np.log(problem.liquid.viscosity(np.array([highest]))[0]))
 
 
 def crest_of(problem: Problem, fields: Fields, before: float = 0.0) -> float:
@@ -136,7 +136,7 @@ def crest_of(problem: Problem, fields: Fields, before: float = 0.0) -> float:
 
 def crest_layer(problem: Problem) -> float:
     """Width of the refined zone at a crest."""
-    return CREST_LAYER_COMPRESSIBLE if is_compressible(problem.fluid) else CREST_LAYER
+    return CREST_LAYER_COMPRESSIBLE if is_compressible(problem.liquid) else CREST_LAYER
 
 
 def grid_for(problem: Problem, n_theta: int, crest: float = 0.0) -> PolarGrid:

@@ -7,9 +7,9 @@
 
 Each function takes `beta`, Eq. (6d), and gives the quantity normalised with the indentation, or `beta_load`, Eq. (30), and
 gives it normalised with the Hertz indentation of the load; see `softlube.discretization.measure.DESCRIPTION`.
-Behind them is a table of solutions (made by benchmarks/master_curve.py) from 10⁻⁴ to 10⁸, interpolated by cubic splines in ln β,
-and continued beyond both ends: by the laws of the Hertz limit above, by the power of β at the table's end below.  The error is
-the table's, plus what the interpolation and the continuation may add.
+Behind them is a table of solutions (made by benchmarks/master_curve.py) from 10⁻⁴ to 10⁸, interpolated by cubic splines in
+ln β, and continued beyond both ends: by the laws of the Hertz limit above, by the power of β at the table's end below.  The
+error is the table's, plus what the interpolation and the continuation may add.
 """
 
 from __future__ import annotations
@@ -239,7 +239,7 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
     InputError
         For a prescribed gap, h₀ ≥ 0, which has no curve of its own.
     """
-    if (problem.substrate, problem.fluid) != (HalfSpace(), Newtonian()):
+    if (problem.substrate, problem.liquid) != (HalfSpace(), Newtonian()):
         raise InputError(
             "thickness, pressure_viscosity: the master curve is for a half-space and constant viscosity; "
             "solve the problem instead"

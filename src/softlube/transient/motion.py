@@ -13,10 +13,10 @@ from scipy.interpolate import CubicSpline
 
 from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError, NotConvergedError
-from softlube.model import liquids as fluids
+from softlube.model import liquids as liquids
 from softlube.model import substrates
 from softlube.model.dry import DryContact, dry_contact_at
-from softlube.model.liquids import Fluid, Newtonian
+from softlube.model.liquids import Liquid, Newtonian
 from softlube.model.substrates import HalfSpace, Substrate
 from softlube.transient import drives
 from softlube.transient.squeeze.rings import Control, SqueezeFilm
@@ -55,7 +55,7 @@ class Motion:
         No time step is longer, so that none leaps over a feature of the history.
     substrate : Substrate
         What the sphere moves over; lengths over √(R × unit of height).
-    fluid : Fluid
+    liquid : Liquid
         The law of the viscosity; pressures over 4πG√(unit of height/R).
     """
 
@@ -65,7 +65,7 @@ class Motion:
     duration: float
     longest_step: float = np.inf
     substrate: Substrate = field(default_factory=HalfSpace)
-    fluid: Fluid = field(default_factory=Newtonian)
+    liquid: Liquid = field(default_factory=Newtonian)
 
     def __post_init__(self) -> None:
         if self.control not in ("load", "height"):
@@ -74,7 +74,7 @@ class Motion:
             value = getattr(self, name)
             if not (np.isfinite(value) and value > 0):
                 raise InputError(f"{name}: expected a positive, finite number, got {value!r}")
-        if np.any(self.fluid.density(np.ones(1))[1]):
+        if np.any(self.liquid.density(np.ones(1))[1]):
             raise InputError("density_law: the density must be constant where the film changes with time; leave it out")
         if not np.all(np.isfinite(self.samples)):
             raise InputError("history: not a finite number at every time from 0 to its end")
@@ -96,7 +96,7 @@ class Motion:
             "duration": self.duration,
             "longest_step": self.longest_step if np.isfinite(self.longest_step) else None,
             "substrate": substrates.to_plain(self.substrate),
-            "fluid": fluids.to_plain(self.fluid),
+            "liquid": liquids.to_plain(self.liquid),
         }
 
     @classmethod
@@ -106,7 +106,7 @@ class Motion:
             "drive": drives.from_plain(values["drive"]),
             "longest_step": np.inf if values["longest_step"] is None else values["longest_step"],
             "substrate": substrates.from_plain(values["substrate"]),
-            "fluid": fluids.from_plain(values["fluid"]),
+            "liquid": liquids.from_plain(values["liquid"]),
         }
         return cls(**(dict(values) | parts))
 
@@ -125,7 +125,7 @@ class Motion:
             duration=self.duration * clock,
             longest_step=self.longest_step * clock,
             substrate=self.substrate.in_units(unit),
-            fluid=self.fluid.in_units(unit),
+            liquid=self.liquid.in_units(unit),
         )
 
     @cached_property
@@ -176,7 +176,7 @@ class Motion:
         pressure = np.zeros_like(film.parabola)
         for _ in range(LARGEST_ITERATIONS):
             u = self.initial_height + film.parabola + film.compliance @ pressure
-            fluidity, _ = film.fluid.fluidity(pressure)
+            fluidity, _ = film.liquid.fluidity(pressure)
             if np.min(fluidity) < LEAST_FLUIDITY:
                 break
             spline = CubicSpline(grid.xi, speed * grid.r * grid.dr_dxi(grid.r) / (2 * fluidity * u**3)).antiderivative()

@@ -45,12 +45,12 @@ HARD = [
 
 def moes(m, material):
     """A contact in Moes' parameters."""
-    return Problem(beta_load=BETA_LOAD_OF_M * m ** (4 / 3), fluid=Barus(float(alpha_of_moes(m, material))))
+    return Problem(beta_load=BETA_LOAD_OF_M * m ** (4 / 3), liquid=Barus(float(alpha_of_moes(m, material))))
 
 
 def solve(m, material, accuracy):
     problem = moes(m, material)
-    return softlube.solve(beta_load=problem.beta_load, fluid=problem.fluid, accuracy=accuracy)
+    return softlube.solve(beta_load=problem.beta_load, liquid=problem.liquid, accuracy=accuracy)
 
 
 @pytest.fixture(scope="module")
@@ -66,7 +66,7 @@ def test_alpha_p_hertz_of_moes():
 
 @pytest.mark.parametrize("law", [None, Roelands(48.8, 0.68, 3.33 / 48.8)])
 def test_march_ends_where_it_should(law):
-    problem = moes(20, 10) if law is None else Problem(beta_load=moes(20, 10).beta_load, fluid=law)
+    problem = moes(20, 10) if law is None else Problem(beta_load=moes(20, 10).beta_load, liquid=law)
     grid = grid_for(problem, 12)
     solved = solve_level(problem, grid, None)
     residual = ContactSystem(problem, grid).linearise(solved.x).residual
@@ -146,7 +146,7 @@ def test_mass_balance_over_discs(spiked):
         xi, s = fields.chart.xi_of(r), fields.chart.s_of(theta)
         film, pressure = fields.film_at(r, theta), fields.pressure_spline(xi, s)[0]
         slope = fields.pressure_spline(xi, s, dx=1)[0] / fields.chart.dr_dxi(r)
-        inflow = film**3 * fields.fluid.fluidity(pressure)[0] * slope + film * np.cos(theta) / fields.beta
+        inflow = film**3 * fields.liquid.fluidity(pressure)[0] * slope + film * np.cos(theta) / fields.beta
         assert abs(inflow.sum()) < 1e-5 * np.abs(inflow).sum()
 
 
@@ -165,16 +165,16 @@ def test_global_mass_balance_of_the_discrete_equations(spiked):
 def dense(m, material, law):
     """A contact in Moes' parameters with a liquid of 20/GPa and 0.05 Pa s, denser under pressure."""
     problem = moes(m, material)
-    unit = problem.fluid.alpha / 20e-9
-    thick = problem.fluid if law == "barus" else Roelands.of(20e-9, 0.05, unit)
+    unit = problem.liquid.alpha / 20e-9
+    thick = problem.liquid if law == "barus" else Roelands.of(20e-9, 0.05, unit)
     return problem.beta_load, DowsonHigginson.of(thick, unit)
 
 
 @pytest.fixture(scope="module")
 def resolved():
     """M = 20, L = 10 with the liquid of the published formulas: Roelands, Dowson & Higginson."""
-    beta_load, fluid = dense(20, 10, "roelands")
-    return softlube.solve(beta_load=beta_load, fluid=fluid, accuracy=1e-2)
+    beta_load, liquid = dense(20, 10, "roelands")
+    return softlube.solve(beta_load=beta_load, liquid=liquid, accuracy=1e-2)
 
 
 def test_a_compressible_liquid_has_a_spike_with_a_height(resolved):
@@ -208,8 +208,8 @@ def test_mass_is_conserved_across_a_spike(resolved):
 @pytest.fixture(scope="module")
 def steep():
     """M = 20, L = 10 with Barus's law and that density: the spike falls off within 10⁻⁴."""
-    beta_load, fluid = dense(20, 10, "barus")
-    return softlube.solve(beta_load=beta_load, fluid=fluid, accuracy=1e-2)
+    beta_load, liquid = dense(20, 10, "barus")
+    return softlube.solve(beta_load=beta_load, liquid=liquid, accuracy=1e-2)
 
 
 def test_a_steep_spike_is_given_with_its_error(steep):
@@ -273,8 +273,8 @@ def test_command_in_si_units(capsys):
 )
 def test_spikes_of_the_textbook_cases(m, law, height, place):
     """The values are those of 58 angles and cells of 10⁻⁵, see benchmarks/spike_sphere.py."""
-    beta_load, fluid = dense(m, 10, law)
-    solution = softlube.solve(beta_load=beta_load, fluid=fluid)
+    beta_load, liquid = dense(m, 10, law)
+    solution = softlube.solve(beta_load=beta_load, liquid=liquid)
     assert (
         abs(solution.spike_pressure / HERTZ_PRESSURE - height) < solution.spike_pressure.error / HERTZ_PRESSURE < 0.015 * height
     )

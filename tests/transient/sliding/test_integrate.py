@@ -39,7 +39,7 @@ LOADED_LATE = history("load", [0, 100, 200, 800], [0.1, 0.1, HERTZ_LOAD, HERTZ_L
 
 
 @pytest.mark.parametrize(
-    ("beta", "motion", "substrate", "fluid"),
+    ("beta", "motion", "substrate", "liquid"),
     [
         (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), Layer(1.0), Newtonian()),
         (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), Layer(0.3, 0.3, "frictionless"), Newtonian()),
@@ -65,8 +65,8 @@ LOADED_LATE = history("load", [0, 100, 200, 800], [0.1, 0.1, HERTZ_LOAD, HERTZ_L
         "light",
     ],
 )
-def test_every_motion_ends_in_its_steady_sliding(beta, motion, substrate, fluid):
-    motion = replace(motion, substrate=substrate, fluid=fluid)
+def test_every_motion_ends_in_its_steady_sliding(beta, motion, substrate, liquid):
+    motion = replace(motion, substrate=substrate, liquid=liquid)
     run = start_sliding(beta, motion, n_theta=12, tolerance=3e-3)
     problem, unit = deepest_problem(beta, motion, "reynolds")
     steady = measure(solve_level(problem, grid_for(problem, angles_for(problem, 12)), None).fields.in_units(1 / unit))
@@ -85,7 +85,7 @@ def test_on_a_layer_to_the_accuracy_of_the_steady_solver():
 
 
 def test_slow_sliding_on_a_layer_is_a_squeeze_film():
-    motion = replace(constant_load(HERTZ_LOAD, 1.0, 30.0), substrate=Layer(0.5), fluid=Barus(2.0))
+    motion = replace(constant_load(HERTZ_LOAD, 1.0, 30.0), substrate=Layer(0.5), liquid=Barus(2.0))
     run = start_sliding(1e7, motion, n_theta=18, tolerance=3e-4)
     expected = integrate(motion, rings=128, tolerance=1e-7).histories(run.time)
     assert run.film_center == pytest.approx(expected["film_center"], rel=3e-3)

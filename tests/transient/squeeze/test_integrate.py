@@ -155,7 +155,7 @@ def test_barus_under_a_nearly_rigid_sphere():
     """P = −ln(1 − αq)/α with Taylor's q = V/(4h²): at half the height the viscosity has risen fivefold."""
     speed = 1e-8
     alpha = 0.8 / speed
-    motion = replace(constant_speed(speed, 1.0, 0.5 / speed), fluid=Barus(alpha))
+    motion = replace(constant_speed(speed, 1.0, 0.5 / speed), liquid=Barus(alpha))
     run = integrate(motion, rings=91, tolerance=1e-8)
     for step in (0, -1):
         q = speed / (4 * (run.heights[step] + run.film.parabola) ** 2)
@@ -169,8 +169,8 @@ def test_a_thickening_liquid_drains_later(dimple):
     """α → 0 is constant viscosity, to first order in α; Roelands' law with z = 1 is Barus'."""
     own = dimple.histories()["film_center"]
 
-    def film(fluid):
-        return integrate(replace(dimple.motion, fluid=fluid), rings=91, tolerance=1e-6).histories(dimple.time)["film_center"]
+    def film(liquid):
+        return integrate(replace(dimple.motion, liquid=liquid), rings=91, tolerance=1e-6).histories(dimple.time)["film_center"]
 
     ratios = [film(Barus(alpha)) / own - 1 for alpha in (0.01, 0.02)]
     assert np.all(ratios[0][1:] > 0)

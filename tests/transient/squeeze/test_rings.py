@@ -64,9 +64,9 @@ def test_height_follows_from_the_load():
 
 
 @pytest.mark.parametrize("control", ["load", "height"])
-@pytest.mark.parametrize("fluid", [Newtonian(), Barus(2.0), Roelands(2.0, 0.6, 5.0)], ids=lambda fluid: fluid.kind)
-def test_derivative_of_the_flux_is_exact(control, fluid):
-    film = SqueezeFilm.on(GRID, control, fluid=fluid)
+@pytest.mark.parametrize("liquid", [Newtonian(), Barus(2.0), Roelands(2.0, 0.6, 5.0)], ids=lambda liquid: liquid.kind)
+def test_derivative_of_the_flux_is_exact(control, liquid):
+    film = SqueezeFilm.on(GRID, control, liquid=liquid)
     r = film.grid.r[: film.n]
     lift = 0.5 + 0.3 * np.exp(-(r**2))
     step = 1e-5 * np.cos(3 * r) * np.exp(-r)
@@ -101,9 +101,9 @@ def test_rings_are_the_plane_s_first_harmonic(substrate):
 @pytest.mark.parametrize("alpha", [0.5, 2.0])
 def test_barus_under_a_rigid_sphere(alpha):
     """With q = (1 − e^(−αp))/α the equation is that of constant viscosity: p = −ln(1 − αq)/α with Taylor's q = V/(4h²)."""
-    film = SqueezeFilm.on(GRID, "height", fluid=Barus(alpha))
+    film = SqueezeFilm.on(GRID, "height", liquid=Barus(alpha))
     h = 0.7 + film.parabola
     p = -np.log1p(-alpha * 0.3 / (4 * h**2)) / alpha
-    fluidity, _ = film.fluid.fluidity(film.midpoint @ p)
+    fluidity, _ = film.liquid.fluidity(film.midpoint @ p)
     flux = film.conductance * fluidity * (film.midpoint @ h) ** 3 * (film.slope @ p)
     assert film.rate(flux)[:-2] == pytest.approx(-0.3, rel=5e-4)

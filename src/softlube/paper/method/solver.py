@@ -169,7 +169,7 @@ def _sizes(n_1: int, n_2: int, mesh_error: bool) -> list[tuple[int, int]]:
 
 
 def _checked_beta(problem: Problem) -> float:
-    if (problem.substrate, problem.fluid) != (HalfSpace(), Newtonian()):
+    if (problem.substrate, problem.liquid) != (HalfSpace(), Newtonian()):
         raise InputError("method: the paper's methods know the half-space and constant viscosity only; leave it out")
     if problem.beta is None:
         raise InputError("beta_load: the paper's method fixes the sphere's height and cannot prescribe the load; give beta")

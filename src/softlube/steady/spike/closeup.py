@@ -121,7 +121,7 @@ def close_ups(problem: Problem, fields: Fields, widths: Sequence[float] = WIDTHS
 
 def falls(fields: Fields, radius: float) -> NDArray[np.integer]:
     """Index of the last node ahead of the steepest fall of ln η, close to a radius, at every angle."""
-    slope = np.diff(np.log(fields.fluid.viscosity(fields.pressure)), axis=0) / np.diff(fields.r)[:, None]
+    slope = np.diff(np.log(fields.liquid.viscosity(fields.pressure)), axis=0) / np.diff(fields.r)[:, None]
     near = np.abs(fields.r[1:] - radius) < NEAR_RIDGE * radius
     return np.argmin(np.where(near[:, None], slope, np.inf), axis=0)
 

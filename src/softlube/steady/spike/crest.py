@@ -82,7 +82,7 @@ def crest(fields: Fields, angle: int, fall: int) -> Crest:
     out.
     """
     r, pressure = fields.r, fields.pressure[:, angle]
-    ahead, behind = np.log(fields.fluid.viscosity(pressure[fall : fall + 2]))
+    ahead, behind = np.log(fields.liquid.viscosity(pressure[fall : fall + 2]))
     if ahead - behind < SHARPEST:
         top = fall
         while top > 0 and pressure[top - 1] > pressure[top]:
@@ -158,7 +158,7 @@ def couette_within(seen: CloseUp, pressure: Array, cutoff: float) -> float:
         xi = (edges[:-1, None] + np.diff(edges)[:, None] * (x + 1) / 2).ravel()
         r = chart.r_of(xi)
         area = (np.diff(edges)[:, None] * weight / 2).ravel() * chart.dr_dxi(r) * r
-        viscosity = fields.fluid.viscosity(np.interp(xi, nodes, pressure[:, k]))
+        viscosity = fields.liquid.viscosity(np.interp(xi, nodes, pressure[:, k]))
         rays[k] = area @ (viscosity / np.interp(xi, nodes, fields.film[:, k])) / fields.beta
     s = chart.s_of(fields.theta)
     rays[[0, -1]] /= 2

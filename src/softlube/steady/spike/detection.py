@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.discretization.fields import Fields
-from softlube.model.liquids import Fluid
+from softlube.model.liquids import Liquid
 from softlube.model.quantities import Quantity
 
 Array = NDArray[np.floating]
@@ -77,14 +77,14 @@ def outlet_spike(fields: Fields) -> tuple[Array, Array] | None:
 def steepest_fall(fields: Fields) -> float:
     """Largest change of ln η from a node to the next along r, in the outlet half: 0 for constant viscosity."""
     outlet = fields.pressure[:, fields.theta > np.pi / 2]
-    return float(np.max(np.abs(np.diff(np.log(fields.fluid.viscosity(outlet)), axis=0))))
+    return float(np.max(np.abs(np.diff(np.log(fields.liquid.viscosity(outlet)), axis=0))))
 
 
 def fall_from_top(fields: Fields) -> float:
     """Largest change of ln η from a node to the next along r, within two nodes of the largest pressure."""
     i, j = np.unravel_index(int(np.argmax(fields.pressure)), fields.pressure.shape)
     near = fields.pressure[max(i - 2, 0) : i + 3, j]
-    return float(np.max(np.abs(np.diff(np.log(fields.fluid.viscosity(near))))))
+    return float(np.max(np.abs(np.diff(np.log(fields.liquid.viscosity(near))))))
 
 
 def ridge_error(fall: float) -> float:
@@ -102,9 +102,9 @@ def is_needle(fields: Fields) -> bool:
     return steepest_fall(fields) > SHARPEST
 
 
-def is_compressible(fluid: Fluid) -> bool:
+def is_compressible(liquid: Liquid) -> bool:
     """Whether the density rises with the pressure."""
-    return bool(np.any(fluid.density(np.ones(1))[1]))
+    return bool(np.any(liquid.density(np.ones(1))[1]))
 
 
 def is_open(fields: Fields) -> bool:
@@ -113,7 +113,7 @@ def is_open(fields: Fields) -> bool:
     A liquid that thickens without bound is carried along like a rigid punch, whose edge has an integrable singularity.  What is
     denser under pressure is softer than that, and the pressure falls from a height that is finite.
     """
-    return is_needle(fields) and not is_compressible(fields.fluid)
+    return is_needle(fields) and not is_compressible(fields.liquid)
 
 
 def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:

@@ -77,7 +77,7 @@ def deepest_problem(beta: float, motion: Motion, cavitation: str) -> tuple[Probl
         lowest = float(motion.samples.min())
         unit = abs(lowest) or 1.0
         parameters |= {"beta": beta * unit**2, "height": int(np.sign(lowest))}
-    models: dict[str, Any] = {"substrate": motion.substrate.in_units(unit), "fluid": motion.fluid.in_units(unit)}
+    models: dict[str, Any] = {"substrate": motion.substrate.in_units(unit), "liquid": motion.liquid.in_units(unit)}
     return Problem(**parameters, **models, cavitation=cavitation), unit  # type: ignore[arg-type]
 
 
@@ -180,7 +180,7 @@ def before_sliding(
 ) -> tuple[Array, float]:
     """Pressure on the rings and height when the sliding starts, after the first load has acted for some time."""
     if not pressed:
-        film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.fluid)
+        film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.liquid)
         return motion.first_pressure(film), motion.initial_height
     first = motion.drive(0.0)
     held = replace(motion, drive=lambda _: first, duration=pressed)

@@ -16,7 +16,7 @@ from scipy.interpolate import PchipInterpolator
 
 from softlube.discretization.measure import measure
 from softlube.errors import InputError, NotConvergedError
-from softlube.model import liquids as fluids
+from softlube.model import liquids as liquids
 from softlube.model import substrates
 from softlube.model.problem import Cavitation
 from softlube.model.quantities import Quantity
@@ -157,7 +157,7 @@ class Slide:
             "angles": json.dumps(self.angles),
             "warnings": json.dumps(self.warnings),
             "substrate": json.dumps(substrates.to_plain(self.motion.substrate)),
-            "fluid": json.dumps(fluids.to_plain(self.motion.fluid)),
+            "liquid": json.dumps(liquids.to_plain(self.motion.liquid)),
         }
         return in_units(xr.Dataset(data, coords=coordinates, attrs=attributes), self.setup, self.sliding)
 

@@ -173,7 +173,7 @@ def integrate(
     linear in this unknown, to round-off.
     """
     grid = motion.grid(rings) if isinstance(rings, int) else rings
-    film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.fluid)
+    film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.liquid)
     n = film.n
     parabola = film.parabola[:n]
     added = np.minimum(parabola, 2 * grid.edge**2)  # to the lift

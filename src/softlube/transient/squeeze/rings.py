@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from softlube.discretization.grid import RIM, PolarGrid
 from softlube.discretization.radial import radial_operators
 from softlube.discretization.reynolds import ReynoldsOperator
-from softlube.model.liquids import Fluid, Newtonian
+from softlube.model.liquids import Liquid, Newtonian
 from softlube.model.substrates import HalfSpace, Substrate
 
 Array = NDArray[np.floating]
@@ -62,7 +62,7 @@ class SqueezeFilm:
         Metric factor of u³∂p on the faces.
     cell : ndarray, shape (n,)
         Measure of the cells: 2π ∑ cell u is the liquid's volume, and what the fluxes conserve.
-    fluid : Fluid
+    liquid : Liquid
         Its fluidity is taken at the pressure on the faces.
     """
 
@@ -82,11 +82,11 @@ class SqueezeFilm:
     divergence: Array
     conductance: Array
     cell: Array
-    fluid: Fluid
+    liquid: Liquid
 
     @classmethod
     def on(
-        cls, grid: PolarGrid, control: Control, substrate: Substrate | None = None, fluid: Fluid | None = None
+        cls, grid: PolarGrid, control: Control, substrate: Substrate | None = None, liquid: Liquid | None = None
     ) -> SqueezeFilm:
         """Build the equations of a grid (only its radii are used); a half-space and constant viscosity where not given."""
         grid = grid.resized(grid.n_r, ANGLES)
@@ -139,7 +139,7 @@ class SqueezeFilm:
             divergence=divergence,
             conductance=operator.conductance[0].reshape(-1, angles)[:, 0] / spin,
             cell=cell,
-            fluid=fluid or Newtonian(),
+            liquid=liquid or Newtonian(),
         )
 
     @property
@@ -171,14 +171,14 @@ class SqueezeFilm:
         """Flux r φu³ ∂p/∂r on the faces: the inflow, over 2π."""
         film_face = self.midpoint @ self.whole_film(lift, drive)
         pressure = self.pressure(lift, drive)
-        fluidity, _ = self.fluid.fluidity(self.midpoint @ pressure)
+        fluidity, _ = self.liquid.fluidity(self.midpoint @ pressure)
         return self.conductance * fluidity * film_face**3 * (self.slope @ pressure)
 
     def flux_derivative(self, lift: Array, drive: float) -> Array:
         """∂flux/∂u, exact, shape (faces, n)."""
         film_face = self.midpoint @ self.whole_film(lift, drive)
         pressure = self.pressure(lift, drive)
-        fluidity, thickening = self.fluid.fluidity(self.midpoint @ pressure)
+        fluidity, thickening = self.liquid.fluidity(self.midpoint @ pressure)
         slope, mobility = self.slope @ pressure, self.conductance * film_face**3
         n = self.n
         film_part = self.midpoint[:, :n] + self.midpoint[:, n:] @ self.rim_by_lift
