@@ -52,7 +52,10 @@ def pressure_gradient(solution: Solution, r: ArrayLike, theta: ArrayLike) -> tup
 
 
 def driving_gradient(solution: Solution, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
-    """The same of q, with (η/η₀)∇q = ∇p: what drives the flow, smooth even where the pressure has a spike."""
+    """∂q̄/∂r and (1/r) ∂q̄/∂θ of the reduced pressure q, with (η/η₀)∇q = ∇p, at polar coordinates (broadcast).
+
+    It drives the flow, and is smooth even where the pressure has a spike.
+    """
     return _gradient(solution, solution.fields.reduced_spline, r, theta)
 
 

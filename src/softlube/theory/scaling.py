@@ -64,9 +64,9 @@ class PaperLaw:
     prefactor, exponent : float
         As printed.
     limit : float or None
-        Exponent of the same quantity for β → ∞; None where it is no power of β.
+        Exponent of this quantity for β → ∞; None where it is no power of β.
     unit : float
-        The law is of the quantity over this.
+        What the quantity is divided by before it is compared with the law.
     """
 
     equation: str
@@ -201,9 +201,9 @@ class Comparison:
     ----------
     law : PaperLaw
     fit : PowerLaw
-        Ours over the same range.
+        Power law fitted to our solutions over the range of the paper's fit.
     beta, values, ratios, exponents : ndarray
-        Every solution: what the law is of, that over the paper's law, and the local exponent.
+        Of every solution: β, the quantity in the law's units, its ratio to the paper's law, and the local exponent.
     """
 
     law: PaperLaw
@@ -215,7 +215,7 @@ class Comparison:
 
     @property
     def exponent_difference(self) -> float:
-        """Ours − the paper's."""
+        """Exponent fitted to our solutions less the paper's."""
         return self.fit.exponent - self.law.exponent
 
     def largest_ratio(self, between: tuple[float, float] = PAPER_RANGE) -> tuple[float, float]:

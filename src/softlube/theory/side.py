@@ -84,12 +84,12 @@ class SideFilm:
 
     @property
     def time_of_min(self) -> float:
-        """Its τ."""
+        """Time τ at which the film is thinnest, from the angle of 90°, in the units of this module."""
         return _minimum(self.time, self.film)[0]
 
     @property
     def place_of_min(self) -> float:
-        """Its s."""
+        """Distance s from the dry contact's edge at which the film is thinnest, in the units of this module."""
         return float(np.interp(self.time_of_min, self.time, self.place))
 
 
@@ -184,7 +184,7 @@ class Implicit:
     constrained: NDArray[np.bool_]
 
     def linearise(self, x: Array) -> LinearisedStep:
-        """Evaluate."""
+        """Residual and Jacobian of one step of the march at x."""
         return LinearisedStep(self, x)
 
 
@@ -197,7 +197,7 @@ class LinearisedStep:
 
     @cached_property
     def _films(self) -> tuple[Array, Array]:
-        """At the nodes and at the faces."""
+        """Film thickness at the nodes and at the faces between them."""
         strip = self.system.strip
         excess = strip.excess(self.x)
         return strip.film + strip.potential @ excess, strip.face_film + strip.face_potential @ excess

@@ -63,7 +63,7 @@ MAPS = (100.0, 300.0, 500.0, 1000.0)
 FITTED = (100.0, 200.0, 300.0, 500.0, 1000.0, 2000.0, 3000.0, 5000.0, 1e4)
 """β over the range of the paper's fits."""
 WIDE = (10.0, 30.0, *FITTED, 3e4, 1e5)
-"""The same, and a decade to either side."""
+"""β of `FITTED`, and a decade to either side."""
 
 Solutions = Mapping[Case, Solution]
 

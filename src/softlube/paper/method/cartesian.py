@@ -120,7 +120,7 @@ class FFTElasticity:
 
 @dataclass(frozen=True)
 class DenseElasticity:
-    """The same operator as a full matrix over the half domain: what the paper's "conventional" method costs.
+    """Pressure → displacement as a full matrix over the half domain: what the paper's "conventional" method costs.
 
     (n_x n_y)² numbers: 0.2 GB for 100 × 50, 3 GB for 200 × 100.
     """

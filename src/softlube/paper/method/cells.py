@@ -112,7 +112,7 @@ class RingElasticity:
         return -idct(np.matmul(self._modes, modes)[:, :, 0].T, type=1, axis=1)
 
     def dense(self) -> Array:
-        """The same operator as a full matrix over the half domain, for checks; shape ((n_r+1)(n_theta+1), n_r (n_theta+1))."""
+        """Pressure → displacement as a full matrix over the half domain; shape ((n_r+1)(n_theta+1), n_r (n_theta+1))."""
         m = self.mesh.n_theta
         i, k = np.arange(m + 1)[:, None], np.arange(m + 1)
         direct, image = np.abs(i - k), np.minimum(i + k, 2 * m - i - k)
