@@ -32,9 +32,9 @@ def test_one_figure(tmp_path, capsys):
 
 def test_progress_counts_every_job(tmp_path):
     seen = []
-    result = reproduce(tmp_path, ["11"], processes=1, progress=lambda *news: seen.append(news))
-    assert [done for done, _, _ in seen] == [0, 1, 2]
-    assert {total for _, total, _ in seen} == {2}
+    result = reproduce(tmp_path, ["11"], processes=1, progress=seen.append)
+    assert [news.done for news in seen] == [0, 1, 2]
+    assert {news.total for news in seen} == {2}
     assert result.seconds > 0
     assert len(result.files) == 5
     assert disagreements(result) == []

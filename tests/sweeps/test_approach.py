@@ -55,7 +55,7 @@ def test_a_second_run_solves_nothing_and_gives_the_same(swept):
     result, store = swept
     states = []
     again = softlube.sweep(FILMS, **SQUEEZE, store=store, progress=states.append)
-    assert [(state.total, state.done, state.found) for state in states] == [(4, 4, 4)]
+    assert [(state.total, state.done, again.n_found) for state in states] == [(4, 4, 4)]
     pd.testing.assert_frame_equal(again.table, result.table, check_exact=True)
     with Store(store) as kept:
         assert set(kept.counts().values()) == {1}

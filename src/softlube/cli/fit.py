@@ -82,7 +82,7 @@ def fit(
     """
     import json
 
-    from softlube.cli.progress import Steps
+    from softlube.cli.progress import Bar
     from softlube.errors import InputError
     from softlube.files.writing import check_destination, whole_file
 
@@ -104,7 +104,7 @@ def fit(
     from softlube.experiments.measurements import read_measurements
 
     measured = read_measurements(data, slide_to_roll=slide_to_roll)
-    with Steps("fitting", quiet=as_json) as steps:
+    with Bar("fitting", quiet=as_json) as bar:
         found = run(
             measured,
             radius=radius,
@@ -119,7 +119,7 @@ def fit(
             seed=seed,
             force=force,
             region=parse_region(region),
-            progress=steps.step,
+            progress=bar.show,
         )
         if plot is not None:
             found.plot(plot)

@@ -22,6 +22,7 @@ def flow(which: Which | None = None, *, plot: str, level: float | None = None) -
     import numpy as np
     from rich.console import Console
 
+    from softlube.cli.progress import status_line
     from softlube.errors import InputError
     from softlube.files.writing import check_destination, whole_file
     from softlube.plots.flow import picture
@@ -32,9 +33,9 @@ def flow(which: Which | None = None, *, plot: str, level: float | None = None) -
     check_destination("plot", plot)
     if level is not None and not 0 <= level <= 1:
         raise InputError(f"level: expected a share of the film between 0 (substrate) and 1 (sphere), got {level!r}")
-    with Console(stderr=True).status("solving", spinner="dots") as status:
-        solution = (which or Which()).get(progress=status.update)
-        status.update("drawing")
+    with status_line("solving") as show:
+        solution = (which or Which()).get(progress=show)
+        show("drawing")
         figure, _ = picture(solution, level=level)
         with whole_file(plot) as temporary:
             figure.savefig(temporary, dpi=300)

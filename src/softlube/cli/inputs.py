@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Group, Parameter
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
+    from softlube.solvers.progress import Listener
     from softlube.steady.solution import Solution
 
 PHYSICAL = Group("Physical contact (text with units, such as '2 mm')", sort_key=1)
@@ -105,7 +104,7 @@ class Which:
     contact: Sliding | None = None
     cavitation: Annotated[str | None, Parameter(group=GIVEN)] = None
 
-    def get(self, progress: Callable[[str], None] | None = None) -> Solution:
+    def get(self, progress: Listener | None = None) -> Solution:
         """The solution, read or solved.
 
         Raises

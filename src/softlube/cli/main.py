@@ -166,17 +166,15 @@ def _solve(
     *,
     quiet: bool,
 ) -> Solution:
-    from rich.console import Console
-
+    from softlube.cli.progress import status_line
     from softlube.physical.contact import Contact
     from softlube.steady.ladder import solve
 
     contact = Contact(**physical, cavitation=cavitation) if physical else None
-    console = Console(stderr=True, quiet=quiet)
-    with console.status("solving", spinner="dots") as status:
+    with status_line("solving", quiet=quiet) as show:
         if contact is not None:
-            return contact.solve(**options, progress=status.update)
-        return solve(**dimensionless, cavitation=cavitation, **options, progress=status.update)
+            return contact.solve(**options, progress=show)
+        return solve(**dimensionless, cavitation=cavitation, **options, progress=show)
 
 
 def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: str, as_json: bool) -> int:

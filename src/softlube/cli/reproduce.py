@@ -31,20 +31,13 @@ def reproduce(
         Number of processes [default: one for each processor, at most four].
     """
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+    from softlube.cli.progress import Bar
     from softlube.paper.reproduce import disagreements
     from softlube.paper.reproduce import reproduce as run
 
-    columns = (TextColumn("{task.description:<28}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    terminal = Console(stderr=True)
-    with Progress(*columns, console=terminal, transient=True, disable=not terminal.is_terminal) as bar:
-        task = bar.add_task("starting", total=None)
-
-        def advance(done: int, total: int, what: str) -> None:
-            bar.update(task, completed=done, total=total, description=what)
-
-        result = run(folder, figure or (), data=data, processes=processes, progress=advance)
+    with Bar("starting") as bar:
+        result = run(folder, figure or (), data=data, processes=processes, progress=bar.show)
 
     console = Console(highlight=False, soft_wrap=True)
     if result.laws:

@@ -83,8 +83,7 @@ def squeeze(
 
     # The matrices are small: threads would spend their time waiting for each other.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    from rich.console import Console
-
+    from softlube.cli.progress import status_line
     from softlube.errors import InputError
     from softlube.files.writing import check_destination
 
@@ -113,13 +112,13 @@ def squeeze(
     options |= (bodies or Bodies()).given()
 
     began = time.perf_counter()
-    with Console(stderr=True, quiet=as_json).status("starting", spinner="dots") as status:
-        result = follow(**options, progress=status.update)
+    with status_line("starting", quiet=as_json) as show:
+        result = follow(**options, progress=show)
         if output is not None:
-            status.update("writing")
+            show("writing")
             result.save(output)
         if plot is not None:
-            status.update("drawing")
+            show("drawing")
             result.plot(plot)
     if as_json:
         import json

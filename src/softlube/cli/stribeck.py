@@ -90,7 +90,7 @@ def stribeck(
     as_json
         Print one JSON object and nothing else.
     """
-    from softlube.cli.progress import Steps
+    from softlube.cli.progress import Bar
     from softlube.errors import InputError
     from softlube.experiments.load_curve import parse_region
     from softlube.physical.rig import Rig
@@ -120,7 +120,7 @@ def stribeck(
     )
     from softlube.experiments.stribeck import stribeck_curve
 
-    with Steps("solving", quiet=as_json) as steps:
+    with Bar("solving", quiet=as_json) as bar:
         table = stribeck_curve(
             rig,
             load,
@@ -132,7 +132,7 @@ def stribeck(
             force=force,
             region=parse_region(region),
             accuracy=accuracy,
-            progress=steps.update,
+            progress=bar.show,
         )
     if output is not None:
         from softlube.sweeps.results import save_table

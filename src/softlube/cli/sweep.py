@@ -9,7 +9,7 @@ from cyclopts import Parameter
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from softlube.sweeps import Progress, Sweep
+    from softlube.sweeps import Sweep
 
 REASONS = 5
 """Failures told one by one at the end; the table has them all."""
@@ -49,7 +49,7 @@ def sweep(
     """
     from pathlib import Path
 
-    from softlube.cli.progress import Steps
+    from softlube.cli.progress import Bar
     from softlube.errors import InputError
     from softlube.files.writing import check_destination
     from softlube.sweeps.plan import read_plan
@@ -71,13 +71,7 @@ def sweep(
     for notice in cases.notices:
         _say(f"Note: {notice}.")
 
-    states: list[Progress] = []
-    with Steps("solving") as steps:
-
-        def show(progress: Progress) -> None:
-            states[:] = [progress]
-            steps.update(progress.done, progress.total, f"{progress.failed} failed" if progress.failed else "")
-
+    with Bar("solving") as bar:
         result = run(
             cases,
             store=store_path,
@@ -85,13 +79,13 @@ def sweep(
             scheduler=scheduler,
             fields=fields is not None,
             retry_failed=retry_failed,
-            progress=show,
+            progress=bar.show,
         )
     table = result.table
     save_table(table, table_path)
     written = result.save_fields(fields) if fields is not None else []
     warned = int((table["warnings"].fillna("") != "").sum()) if "warnings" in table else 0
-    _report(result, states[0], warned, table_path, store_path, written)
+    _report(result, warned, table_path, store_path, written)
     return 3 if result.n_failed == len(result.keys) else 0
 
 
@@ -101,13 +95,13 @@ def _say(text: str) -> None:
     Console(stderr=True, highlight=False, soft_wrap=True).print(text, markup=False)
 
 
-def _report(result: Sweep, last: Progress, warned: int, table: Path, store: Path, written: list[Path]) -> None:
+def _report(result: Sweep, warned: int, table: Path, store: Path, written: list[Path]) -> None:
     from rich.console import Console
 
-    console = Console(highlight=False, soft_wrap=True)
+    console, total = Console(highlight=False, soft_wrap=True), len(set(result.keys))
     console.print(
-        f"{len(result.keys)} cases, {last.total} different problems: {last.found} were in the store, "
-        f"{last.total - last.found} solved now. {result.n_failed} cases failed.",
+        f"{len(result.keys)} cases, {total} different problems: {result.n_found} were in the store, "
+        f"{total - result.n_found} solved now. {result.n_failed} cases failed.",
         markup=False,
     )
     if warned:

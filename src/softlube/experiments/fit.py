@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from softlube.errors import InputError, SoftlubeError
 from softlube.experiments.fit_checks import HoldOut, check_held_out, order_of_residuals
 from softlube.experiments.friction_model import Model, make_model, normalised_friction, solve_model
-from softlube.experiments.intervals import Estimate, Step, bootstrap, profile, silent
+from softlube.experiments.intervals import Estimate, bootstrap, profile
 from softlube.experiments.load_curve import FORCES
 from softlube.experiments.measurements import Measurements, read_measurements
+from softlube.solvers.progress import Listener, Progress
 
 Array = NDArray[np.floating]
 
@@ -139,7 +140,7 @@ def fit(
     force: str = "sphere",
     region: str | float = 2.0,
     compare: bool = True,
-    progress: Step | None = None,
+    progress: Listener | None = None,
 ) -> Fit:
     """Fit viscosity, modulus or a friction offset to measured friction.
 
@@ -170,7 +171,7 @@ def fit(
     compare : bool
         Whether to repeat the fit for the other forces and regions.
     progress : callable, optional
-        Called with what is being done, how much of it is, and of how much.
+        Called with a `softlube.solvers.progress.Progress` after each solution and for each parameter.
 
     Returns
     -------
@@ -183,7 +184,6 @@ def fit(
     NotConvergedError
         If the fit fails, or leads to contacts that cannot be solved.
     """
-    say = progress or silent
     interval = interval or ("bootstrap" if robust else "profile")
     if interval not in INTERVALS:
         raise InputError(f"interval: expected one of {', '.join(INTERVALS)}, got {interval!r}")
@@ -215,19 +215,16 @@ def fit(
         region=region,
     )
 
-    def solving(done: int, total: int) -> None:
-        say("master curve", done, total)
-
-    model, optimum = solve_model(model, region, robust=robust, progress=solving)
+    model, optimum = solve_model(model, region, robust=robust, progress=progress)
     values = model.values(optimum.x)
     residuals = model.residuals(values)
     freedom = max(len(data) - optimum.x.size, 1)
     scatter = math.sqrt(optimum.sum_of_squares / freedom)
     if interval == "profile":
-        estimates = {name: profile(model, optimum, name, confidence, say) for name in model.free}
+        estimates = {name: profile(model, optimum, name, confidence, progress) for name in model.free}
         covariance = optimum.covariance
     else:
-        estimates, covariance = bootstrap(model, optimum, confidence, random, robust, say)
+        estimates, covariance = bootstrap(model, optimum, confidence, random, robust, progress)
     # With the modulus free, too, the comparison would show how loosely both are tied to the data, and nothing else.
     compared = compare and "viscosity" in model.free and "young_modulus" not in model.free and len(data) <= LARGE
     return Fit(
@@ -244,7 +241,7 @@ def fit(
         trend=order_of_residuals(model, values, residuals),
         hold_out=None if held is None else check_held_out(model, values, held, scatter, freedom, confidence),
         region=region,
-        others=_others(model, region, robust, values, say) if compared else {},
+        others=_others(model, region, robust, values, progress) if compared else {},
     )
 
 
@@ -254,12 +251,13 @@ def _correlation(covariance: Array) -> Array:
 
 
 def _others(
-    model: Model, region: str | float, robust: bool, values: dict[str, float], say: Step
+    model: Model, region: str | float, robust: bool, values: dict[str, float], progress: Listener | None
 ) -> dict[tuple[str, float], float]:
     found: dict[tuple[str, float], float] = {}
     pairs = [(force, other) for force in FORCES[:2] for other in OTHER_REGIONS if (force, other) != (model.force, region)]
     for number, (force, other) in enumerate(pairs):
-        say("other forces and regions", number, len(pairs))
+        if progress is not None:
+            progress(Progress("other forces and regions", number, len(pairs)))
         try:
             again, optimum = solve_model(replace(model, force=force, master=None), other, robust=robust, start=values)
         except SoftlubeError:  # such as contacts beyond what can be solved: then there is no comparison

@@ -8,7 +8,7 @@ that combination only: viscosity and modulus come apart by the curvature of f al
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,6 +19,7 @@ from softlube.errors import InputError, NotConvergedError
 from softlube.experiments.load_curve import WIDEST, Curve, check_friction, curve
 from softlube.experiments.measurements import Measurements
 from softlube.physical.units import to_si
+from softlube.solvers.progress import Listener
 
 Array = NDArray[np.floating]
 
@@ -132,7 +133,7 @@ class Model:
             values["viscosity"] = float(np.median(guesses))
         return values
 
-    def cover(self, values: dict[str, float], region: str | float, progress: Callable[[int, int], None] | None) -> Model:
+    def cover(self, values: dict[str, float], region: str | float, progress: Listener | None) -> Model:
         """With a master curve around the β of the data."""
         beta = self.beta(values)
         low, high = (min(max(float(end), WIDEST[0]), WIDEST[1]) for end in (beta.min() / ROOM, beta.max() * ROOM))
@@ -209,7 +210,7 @@ def solve_model(
     *,
     robust: bool = False,
     start: dict[str, float] | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Listener | None = None,
 ) -> tuple[Model, Optimum]:
     """Fit, with a master curve that reaches over the data at the parameters found.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,15 +13,9 @@ from scipy.optimize import brentq
 
 from softlube.errors import NotConvergedError
 from softlube.experiments.friction_model import UNITS, Model, Optimum, optimise
+from softlube.solvers.progress import Listener, Progress
 
 Array = NDArray[np.floating]
-Step = Callable[[str, int, int], None]
-"""What is told of the progress: what is being done, how much is, of how much."""
-
-
-def silent(what: str, done: int, total: int) -> None:
-    """Tell nothing."""
-
 
 RESAMPLES = 400
 """Data sets drawn for a bootstrap."""
@@ -48,7 +42,7 @@ class Estimate:
         return self.low < 0 or self.unit == "N" or (self.low > 0 and self.high / self.low < UNDETERMINED)
 
 
-def profile(model: Model, optimum: Optimum, name: str, confidence: float, say: Step = silent) -> Estimate:
+def profile(model: Model, optimum: Optimum, name: str, confidence: float, progress: Listener | None = None) -> Estimate:
     """Interval of one parameter by the profile of the likelihood, the scatter unknown.
 
     With the parameter held at θ and the others fitted again the sum of squares is S(θ).  The interval holds where
@@ -77,7 +71,8 @@ def profile(model: Model, optimum: Optimum, name: str, confidence: float, say: S
     deviation = math.sqrt(max(float(optimum.covariance[k, k]), 1e-12))
     ends: list[float | None] = []
     for number, sign in enumerate((-1, 1)):
-        say(f"interval of {name}", number, 2)
+        if progress is not None:
+            progress(Progress(f"interval of {name}", number, 2))
         last.update(model.values(best))
         inside, step, end = float(best[k]), 2 * deviation, None
         while end is None and abs(inside - best[k]) < FARTHEST:
@@ -93,13 +88,18 @@ def profile(model: Model, optimum: Optimum, name: str, confidence: float, say: S
 
 
 def bootstrap(
-    model: Model, optimum: Optimum, confidence: float, random: np.random.Generator, robust: bool, say: Step = silent
+    model: Model,
+    optimum: Optimum,
+    confidence: float,
+    random: np.random.Generator,
+    robust: bool,
+    progress: Listener | None = None,
 ) -> tuple[dict[str, Estimate], Array]:
     """Intervals from fits to rows drawn with replacement (percentiles), and the covariance of these fits."""
     found = []
     for number in range(RESAMPLES):
-        if number % 20 == 0:
-            say("bootstrap", number, RESAMPLES)
+        if progress is not None and number % 20 == 0:
+            progress(Progress("bootstrap", number, RESAMPLES))
         drawn = replace(model, data=model.data.take(random.integers(len(model.data), size=len(model.data))))
         # The unit of the offset is the median friction of the data, which differs from draw to draw.
         try:

@@ -23,6 +23,7 @@ from scipy.interpolate import CubicSpline
 from softlube.discretization.measure import CONTACT, DOMAIN, integrate
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.problem import Cavitation
+from softlube.solvers.progress import Listener, Progress
 from softlube.steady.ladder import solve
 from softlube.steady.solution import Solution
 
@@ -219,7 +220,7 @@ def curve(
     region: str | float = 2.0,
     cavitation: Cavitation = "reynolds",
     accuracy: float = ACCURACY,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Listener | None = None,
 ) -> Curve:
     """The master curve over a range of β_load.
 
@@ -236,7 +237,7 @@ def curve(
     accuracy : float
         Of the solutions; see `softlube.solve`.  Where it cannot be reached, five times that is tried.
     progress : callable, optional
-        Called with the number of nodes done and of all nodes.
+        Called with a `softlube.solvers.progress.Progress` after each solution.
 
     Raises
     ------
@@ -260,7 +261,7 @@ def curve(
             found[index] = node
         failures = 0 if node is not None else failures + 1
         if progress is not None:
-            progress(done, last - first + 1)
+            progress(Progress("solving the curve", done, last - first + 1))
         if len(found) >= FEWEST and failures == 2:
             break
     if len(found) < FEWEST:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,6 +12,7 @@ from softlube.errors import InputError
 from softlube.experiments.load_curve import Curve, check_friction, curve
 from softlube.physical.rig import Rig, hertz_force
 from softlube.physical.units import to_si
+from softlube.solvers.progress import Listener
 
 if TYPE_CHECKING:
     import pandas
@@ -35,7 +36,7 @@ def stribeck_curve(
     force: str = "sphere",
     region: str | float = 2.0,
     accuracy: float = 3e-3,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Listener | None = None,
 ) -> pandas.DataFrame:
     """Film and friction against entrainment speed.
 
@@ -61,7 +62,7 @@ def stribeck_curve(
     accuracy : float
         Of the solutions behind the curve.
     progress : callable, optional
-        Called with the number of solutions done and to do.
+        Called with a `softlube.solvers.progress.Progress` after each solution.
 
     Returns
     -------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -15,6 +15,7 @@ from softlube.errors import InputError
 from softlube.paper.figures import FIGURES, Case, FigureSpec, Statement
 from softlube.paper.figures.base import BALL_ON_RUBBER, WIDE
 from softlube.paper.report import Law, Section, law_table, write_report
+from softlube.solvers.progress import Listener, Progress
 from softlube.steady.solution import Solution
 
 RESOLUTION = 200
@@ -22,8 +23,6 @@ RESOLUTION = 200
 FOLDERS = ("figures", "data", "solutions")
 COSTLY = 3.0
 """A β of ten times this logarithm takes as long as a full film: where the longest jobs are put first."""
-
-Progress = Callable[[int, int, str], None]
 
 
 @dataclass(frozen=True)
@@ -110,7 +109,7 @@ def reproduce(
     *,
     data: str | os.PathLike[str] | None = None,
     processes: int | None = None,
-    progress: Progress | None = None,
+    progress: Listener | None = None,
 ) -> Reproduction:
     """Solve, draw and report the paper's figures.
 
@@ -126,7 +125,7 @@ def reproduce(
     processes : int, optional
         Number of processes; by default as many as there are processors, at most four.
     progress : callable, optional
-        Called with the number of jobs done, of all jobs, and the name of the last one.
+        Called with a `softlube.solvers.progress.Progress` after each job; its message names the job.
 
     Returns
     -------
@@ -205,7 +204,7 @@ def _leave_interrupts_to_the_parent() -> None:
 
 
 def _run(
-    specs: Sequence[FigureSpec], folder: Path, data: Path | None, processes: int, progress: Progress | None
+    specs: Sequence[FigureSpec], folder: Path, data: Path | None, processes: int, progress: Listener | None
 ) -> tuple[dict[Case, Solution], list[Section]]:
     """Solve and draw, each figure as soon as its cases are there."""
     cases = sorted({case for spec in specs for case in spec.cases}, key=_effort, reverse=True)
@@ -215,7 +214,7 @@ def _run(
 
     def report(what: str) -> None:
         if progress is not None:
-            progress(len(solutions) + len(sections), total, what)
+            progress(Progress(what, len(solutions) + len(sections), total))
 
     report("starting")
     if processes == 1:

@@ -6,7 +6,7 @@ Units exist here and nowhere below: strings go in, floats in SI come out.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -27,6 +27,7 @@ from softlube.physical.materials import (
     read_materials,
 )
 from softlube.physical.units import KINDS, to_si
+from softlube.solvers.progress import Listener
 from softlube.steady.solution import Solution
 
 UNITS = {
@@ -207,9 +208,7 @@ class Contact(Materials):
         height = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
         return Problem(beta=beta, cavitation=self.cavitation, height=height, **models)
 
-    def solve(
-        self, *, accuracy: float = 1e-3, method: str = "newton", progress: Callable[[str], None] | None = None
-    ) -> Solution:
+    def solve(self, *, accuracy: float = 1e-3, method: str = "newton", progress: Listener | None = None) -> Solution:
         """Solve the contact.
 
         Parameters
@@ -219,7 +218,7 @@ class Contact(Materials):
         method : {"newton", "relaxation", "cartesian"}
             See `softlube.solve`.
         progress : callable, optional
-            Called with a line of text after each grid.
+            Called with a `softlube.solvers.progress.Progress` after each grid, for instance ``print``.
 
         Returns
         -------

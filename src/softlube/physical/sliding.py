@@ -11,6 +11,7 @@ from softlube.errors import InputError
 from softlube.model.problem import Cavitation
 from softlube.physical.squeeze import Setup, read_motion
 from softlube.physical.units import KINDS, in_unit, to_si
+from softlube.solvers.progress import Listener
 from softlube.transient.sliding.result import DESCRIPTION, Slide, follow_sliding
 
 __all__ = ["DESCRIPTION", "Slide", "read_sliding", "slide"]
@@ -40,7 +41,7 @@ def slide(
     viscosity_law: str = "barus",
     density_law: str = "constant",
     accuracy: float = 2e-2,
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> Slide:
     """Follow a sphere that is moved through a film as by `softlube.squeeze` and slides from time 0 on.
 
@@ -63,7 +64,7 @@ def slide(
     accuracy
         Relative error of the films aimed at, at every time.
     progress
-        Called with a line of text after each step.
+        Called with a `softlube.solvers.progress.Progress` after each time step, for instance ``print``.
 
     Raises
     ------

@@ -24,6 +24,7 @@ from softlube.physical.materials import (
     read_materials,
 )
 from softlube.physical.units import in_unit, to_si
+from softlube.solvers.progress import Listener
 from softlube.transient.extremes import Extremes
 from softlube.transient.motion import Motion, constant_load, constant_speed, history
 from softlube.transient.squeeze.result import Squeeze, follow, interpreted
@@ -172,7 +173,7 @@ def squeeze(
     viscosity_law: str = "barus",
     density_law: str = "constant",
     accuracy: float = 1e-3,
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> Squeeze:
     """Press a rigid sphere through a liquid film onto a soft half-space or layer, or pull it away; no sliding.
 
@@ -206,7 +207,7 @@ def squeeze(
     accuracy
         Relative error of the films aimed at, at every time.
     progress
-        Called with a line of text now and then.
+        Called with a `softlube.solvers.progress.Progress` every 20 time steps, for instance ``print``.
 
     Returns
     -------

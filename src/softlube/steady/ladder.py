@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,6 +21,7 @@ from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
 from softlube.model.substrates import HalfSpace, Substrate
 from softlube.solvers.newton import Iteration, newton
+from softlube.solvers.progress import Listener, Progress
 from softlube.steady.continuation import settle, thicken
 from softlube.steady.error_estimate import (
     COARSE_BETA,
@@ -181,7 +182,7 @@ def _not_converged(problem: Problem, grid: PolarGrid, history: Sequence[Iteratio
     )
 
 
-def climb(problem: Problem, progress: Callable[[str], None] | None = None) -> Iterator[Solved]:
+def climb(problem: Problem, progress: Listener | None = None) -> Iterator[Solved]:
     """Solve on ever finer grids, each starting from the one before.
 
     A grid may be too coarse to have a solution at all, where the film is thinnest in a short strip at a thin layer's sides; so
@@ -190,7 +191,7 @@ def climb(problem: Problem, progress: Callable[[str], None] | None = None) -> It
     before, crest = None, 0.0
     # Twelve intervals cannot hold the layers of a very large β together.
     ladder = LADDER[1:] if like_hertz(problem) > COARSE_BETA else LADDER
-    for n_theta in ladder:
+    for number, n_theta in enumerate(ladder, 1):
         grid = grid_for(problem, angles_for(problem, n_theta), crest)
         try:
             solved = solve_level(problem, grid, None if before is None else prolong(before.x, before.grid, grid, problem))
@@ -198,10 +199,10 @@ def climb(problem: Problem, progress: Callable[[str], None] | None = None) -> It
             if grid.n_unknown > LARGEST_PASSED_OVER:
                 raise
             if progress is not None:
-                progress(f"{grid.n_r} x {grid.n_theta} cells are too few: no solution found on them")
+                progress(Progress(f"{grid.n_r} x {grid.n_theta} cells are too few: no solution found on them", number))
             continue
         if progress is not None:
-            progress(f"{grid.n_r} x {grid.n_theta} cells solved in {solved.level.seconds:.2f} s")
+            progress(Progress(f"{grid.n_r} x {grid.n_theta} cells solved in {solved.level.seconds:.2f} s", number))
         yield solved
         before = solved
         if n_theta >= FIRST_ANGLES:  # the coarsest that sees where it will stand
@@ -217,7 +218,7 @@ def solve(
     liquid: Liquid | None = None,
     accuracy: float = DEFAULT_ACCURACY,
     method: str = "newton",
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> Solution:
     """Solve one dimensionless contact.
 
@@ -240,7 +241,7 @@ def solve(
         This solver, or the paper's own method on its polar mesh of 50 × 30 or on a Cartesian one of 100 × 50
         (docs/paper-method.md): slower, with one mesh and so without errors, for comparison.
     progress : callable, optional
-        Called with a line of text after each grid.
+        Called with a `softlube.solvers.progress.Progress` after each grid, for instance ``print``.
 
     Returns
     -------
@@ -275,7 +276,7 @@ def solve_problem(
     *,
     accuracy: float = DEFAULT_ACCURACY,
     method: str = "newton",
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> Solution:
     """Solve a `Problem` by one of the methods; see `solve`."""
     if method == "newton":
@@ -289,7 +290,7 @@ def solve_problem(
     return (paper.solve_relaxation if method == "relaxation" else paper.solve_cartesian)(problem, progress=progress)
 
 
-def _solve_newton(problem: Problem, accuracy: float, progress: Callable[[str], None] | None) -> Solution:
+def _solve_newton(problem: Problem, accuracy: float, progress: Listener | None) -> Solution:
     if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= LARGEST_ACCURACY):
         bounds = f"{FINEST_ACCURACY:g} and {LARGEST_ACCURACY:g}"
         raise InputError(f"accuracy: expected a relative error between {bounds}, got {accuracy!r}")
@@ -376,9 +377,7 @@ def rungs(solved: Sequence[Solved]) -> tuple[Level, ...]:
     return tuple(rung.level for rung in solved)
 
 
-def solution_of(
-    problem: Problem, solved: Sequence[Solved], accuracy: float, progress: Callable[[str], None] | None = None
-) -> Solution:
+def solution_of(problem: Problem, solved: Sequence[Solved], accuracy: float, progress: Listener | None = None) -> Solution:
     """What the grids solved so far, at least two, say of a problem."""
     finest = solved[-1]
     fields = finest.fields

@@ -6,7 +6,7 @@ The name is plural because `softlube.sweep` is the function.
 """
 
 from softlube.sweeps.plan import Plan, read_plan
-from softlube.sweeps.run import Progress, Sweep, sweep
+from softlube.sweeps.run import Sweep, sweep
 from softlube.sweeps.store import Store
 
-__all__ = ["Plan", "Progress", "Store", "Sweep", "read_plan", "sweep"]
+__all__ = ["Plan", "Store", "Sweep", "read_plan", "sweep"]

@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import time
 from collections import deque
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from softlube.errors import InputError
+from softlube.solvers.progress import Listener, Progress
 from softlube.sweeps.executors import Dask, Executor, Local, WorkerDied
 from softlube.sweeps.plan import Plan, make_plan, read_plan
 from softlube.sweeps.store import LEASE, Store
@@ -28,26 +29,6 @@ BEAT = 0.5
 
 
 @dataclass(frozen=True)
-class Progress:
-    """How far a sweep has come, in tasks (cases that share one count once).
-
-    Attributes
-    ----------
-    total, done : int
-        Tasks of the plan; those with an outcome.
-    found : int
-        Of these, the ones that were in the store at the start.
-    failed : int
-        Failures met by this run.
-    """
-
-    total: int
-    done: int
-    found: int
-    failed: int
-
-
-@dataclass(frozen=True)
 class Sweep:
     """A finished sweep.
 
@@ -58,11 +39,14 @@ class Sweep:
         Of every case, in the plan's order.
     outcomes : mapping of str to Outcome
         By key.
+    n_found : int
+        Number of outcomes that were in the store at the start.
     """
 
     plan: Plan
     keys: tuple[str, ...]
     outcomes: Mapping[str, Outcome]
+    n_found: int
 
     @property
     def n_failed(self) -> int:
@@ -137,7 +121,7 @@ def sweep(
     scheduler: str | None = None,
     fields: bool = False,
     retry_failed: bool = False,
-    progress: Callable[[Progress], None] | None = None,
+    progress: Listener | None = None,
 ) -> Sweep:
     """Solve many contacts, in steady sliding or in squeeze films, and keep each as soon as it is solved.
 
@@ -161,7 +145,8 @@ def sweep(
     retry_failed : bool
         Solve again what is stored as a failure.
     progress : callable, optional
-        Called with a `Progress` after every outcome.
+        Called with a `softlube.solvers.progress.Progress` after every outcome; it counts different problems, as cases that are
+        the same when normalised share one.
 
     Returns
     -------
@@ -194,9 +179,10 @@ def sweep(
     finished = False
     try:
         with Store(":memory:" if store is None else store) as kept:
-            _Run(plan.accuracy, tasks, kept, fields, retry_failed, progress).go(executor)
+            run = _Run(plan.accuracy, tasks, kept, fields, retry_failed, progress)
+            run.go(executor)
             finished = True
-            return Sweep(plan, tuple(keys), kept.outcomes(tasks, fields=fields))
+            return Sweep(plan, tuple(keys), kept.outcomes(tasks, fields=fields), run.found)
     finally:
         executor.close(wait=finished)
 
@@ -211,7 +197,7 @@ class _Run:
         store: Store,
         fields: bool,
         retry_failed: bool,
-        progress: Callable[[Progress], None] | None,
+        progress: Listener | None,
     ) -> None:
         self.accuracy = accuracy
         self.tasks = tasks
@@ -304,4 +290,5 @@ class _Run:
 
     def _report(self) -> None:
         if self.progress is not None:
-            self.progress(Progress(len(self.tasks), self.done, self.found, self.failed))
+            message = f"solving, {self.failed} failed" if self.failed else "solving"
+            self.progress(Progress(message, self.done, len(self.tasks)))

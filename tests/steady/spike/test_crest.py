@@ -83,7 +83,7 @@ def needle():
 def test_what_close_ups_say_of_a_needle(needle):
     """Against meshes three times as fine along r: 1.7055 p_H, at most 1.757 p_H, friction 494.5."""
     solution, lines = needle
-    assert sum("nodes about the spike solved in" in line for line in lines) == 4
+    assert sum("nodes about the spike solved in" in str(line) for line in lines) == 4
     assert not solution.warnings
     hertz = softlube.limits.HERTZ_PRESSURE
     for name, expected in (

@@ -6,7 +6,7 @@ Knows nothing of meshes: a `Scheme` gives the film and makes the sweep.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_PRESSURE
+from softlube.solvers.progress import Listener, Progress
 
 Array = NDArray[np.float64]
 
@@ -206,7 +207,7 @@ def march(
     floors: Sequence[float] = REYNOLDS_FLOORS,
     tolerance: float = 1e-4,
     max_sweeps: int = 250_000,
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> Iterator[tuple[Array, tuple[Sweeps, ...]]]:
     """March through increasing β, each solution starting the next; cut the factor and restart where the change grows.
 
@@ -226,7 +227,7 @@ def march(
     max_sweeps : int
         For the whole march.
     progress : callable, optional
-        Called with a line of text after each run of sweeps.
+        Called with a `softlube.solvers.progress.Progress` after each run of sweeps.
 
     Yields
     ------
@@ -250,7 +251,7 @@ def march(
                 new, run = relax(scheme, pressure, beta, factor, floor=floor, tolerance=tolerance, max_sweeps=left)
                 history.append(run)
                 if progress is not None:
-                    progress(str(run))
+                    progress(Progress(str(run), len(history)))
                 if run.outcome == "converged":
                     break
                 if run.outcome == "stopped" or factor * CUT < SMALLEST_FACTOR:

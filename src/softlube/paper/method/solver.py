@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -20,9 +20,8 @@ from softlube.paper.method.cartesian import CartesianMesh, CartesianScheme, Elas
 from softlube.paper.method.mesh import PaperMesh
 from softlube.paper.method.polar import PolarScheme
 from softlube.paper.method.relaxation import FIRST_BETA, REYNOLDS_FLOORS, SOMMERFELD_FLOORS, approach, march
+from softlube.solvers.progress import Listener
 from softlube.steady.solution import Level, Solution
-
-Progress = Callable[[str], None] | None
 
 LARGEST_BETA = 1e6
 """Above β = 10⁴ the method is expected to fail, and to say so; beyond this it is not tried."""
@@ -40,7 +39,7 @@ def solve_relaxation(
     mesh_error: bool = False,
     cold: bool = False,
     tolerance: float = PRESSURE_TOLERANCE,
-    progress: Progress = None,
+    progress: Listener | None = None,
 ) -> Solution:
     """Solve by the paper's method: polar mesh (12), stencil (A4), signed triangles (18), relaxation (19), march in β.
 
@@ -60,7 +59,7 @@ def solve_relaxation(
     tolerance : float
         Relative error of the pressure left by the iteration.
     progress : callable, optional
-        Called with a line of text after each run of sweeps.
+        Called with a `softlube.solvers.progress.Progress` after each run of sweeps.
 
     Returns
     -------
@@ -90,7 +89,7 @@ def march_relaxation(
     n_r: int = 50,
     n_theta: int = 30,
     tolerance: float = PRESSURE_TOLERANCE,
-    progress: Progress = None,
+    progress: Listener | None = None,
 ) -> Iterator[Solution]:
     """One march of the paper's method that yields every solution on its way, each the next one's start.
 
@@ -127,7 +126,7 @@ def solve_cartesian(
     mesh_error: bool = False,
     cold: bool = False,
     tolerance: float = PRESSURE_TOLERANCE,
-    progress: Progress = None,
+    progress: Listener | None = None,
 ) -> Solution:
     """Solve by the same iteration on a uniform Cartesian grid over |x| ≤ 2, 0 ≤ y ≤ 2, the paper's comparison.
 
@@ -196,7 +195,11 @@ def _cartesian_scheme(n_x: int, n_y: int, elasticity: Elasticity) -> CartesianSc
 
 
 def _marched(
-    scheme: PolarScheme | CartesianScheme, betas: Sequence[float], cavitation: Cavitation, tolerance: float, progress: Progress
+    scheme: PolarScheme | CartesianScheme,
+    betas: Sequence[float],
+    cavitation: Cavitation,
+    tolerance: float,
+    progress: Listener | None,
 ) -> Iterator[tuple[Level, Fields]]:
     """The march, its solutions measured."""
     began = time.perf_counter()
@@ -211,7 +214,11 @@ def _marched(
 
 
 def _whole_march(
-    scheme: PolarScheme | CartesianScheme, betas: Sequence[float], cavitation: Cavitation, tolerance: float, progress: Progress
+    scheme: PolarScheme | CartesianScheme,
+    betas: Sequence[float],
+    cavitation: Cavitation,
+    tolerance: float,
+    progress: Listener | None,
 ) -> tuple[Level, Fields]:
     """The end of the march, with the history and the time of all of it."""
     solved = list(_marched(scheme, betas, cavitation, tolerance, progress))

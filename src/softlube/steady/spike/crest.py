@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +13,7 @@ from softlube.discretization.fields import Fields
 from softlube.discretization.measure import CONTACT, DOMAIN, boundary_layer, friction_within, poiseuille_within
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
+from softlube.solvers.progress import Listener, Progress
 from softlube.steady.error_estimate import yardstick
 from softlube.steady.mesh import contact_edge
 from softlube.steady.spike.closeup import NEAR_RIDGE, WIDTHS, CloseUp, close_ups
@@ -166,7 +167,7 @@ def couette_within(seen: CloseUp, pressure: Array, cutoff: float) -> float:
 
 
 def spike_quantities(
-    problem: Problem, grids: Sequence[Fields], quantities: Mapping[str, Quantity], progress: Callable[[str], None] | None = None
+    problem: Problem, grids: Sequence[Fields], quantities: Mapping[str, Quantity], progress: Listener | None = None
 ) -> dict[str, Quantity]:
     """What is known of a spike, and what goes by it, where that is better known than from the contact's grids.
 
@@ -179,7 +180,7 @@ def spike_quantities(
     quantities : mapping of str to Quantity
         What they give; nan for what they do not.
     progress : callable, optional
-        Called with a line of text after each further mesh.
+        Called with a `softlube.solvers.progress.Progress` after each further mesh.
     """
     known = tracked(grids)
     if not wants_close_up(grids[-1], known):
@@ -189,7 +190,7 @@ def spike_quantities(
     return known | {name: each for name, each in closer.items() if name not in before or not before[name].error <= each.error}
 
 
-def resolve_spike(problem: Problem, fields: Fields, progress: Callable[[str], None] | None = None) -> dict[str, Quantity]:
+def resolve_spike(problem: Problem, fields: Fields, progress: Listener | None = None) -> dict[str, Quantity]:
     """What goes by a spike that the contact's own grids cannot resolve, in the problem's own unit; nothing where a mesh fails.
 
     Errors are the largest of the last change, half the one before, and what the last close-up itself leaves, the frictions' at
@@ -202,7 +203,7 @@ def resolve_spike(problem: Problem, fields: Fields, progress: Callable[[str], No
     fields : Fields
         Its solution on a mesh about its centre.
     progress : callable, optional
-        Called with a line of text after each mesh.
+        Called with a `softlube.solvers.progress.Progress` after each mesh.
     """
     poiseuille = {name: poiseuille_within(fields, cutoff) for name, cutoff in DISCS.items()}
     seen, said = [], []
@@ -211,7 +212,7 @@ def resolve_spike(problem: Problem, fields: Fields, progress: Callable[[str], No
         said.append(readings(each, poiseuille))
         if progress is not None:
             shape = " x ".join(map(str, each.fields.pressure.shape))
-            progress(f"{shape} nodes about the spike solved in {each.seconds:.2f} s")
+            progress(Progress(f"{shape} nodes about the spike solved in {each.seconds:.2f} s", len(seen)))
     lowest = float(np.min(fields.film))
     if len(seen) < len(WIDTHS) or abs(np.min(seen[-1].fields.film) - lowest) > SAME_FILM * lowest:
         return {}

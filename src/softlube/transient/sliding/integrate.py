@@ -12,7 +12,6 @@ solver's own Newton method.  The steps are those of the two-step backward differ
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any
@@ -30,6 +29,7 @@ from softlube.errors import InputError, NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Cavitation, Problem
 from softlube.solvers.newton import newton
+from softlube.solvers.progress import Listener, Progress
 from softlube.steady.mesh import angles_for, grid_for, unit_for
 from softlube.transient.motion import REACH, Motion
 from softlube.transient.squeeze.integrate import integrate
@@ -176,7 +176,7 @@ def grid_under(problem: Problem, motion: Motion, n_theta: int) -> PolarGrid:
 
 
 def before_sliding(
-    motion: Motion, grid: PolarGrid, pressed: float, tolerance: float, progress: Callable[[str], None] | None
+    motion: Motion, grid: PolarGrid, pressed: float, tolerance: float, progress: Listener | None
 ) -> tuple[Array, float]:
     """Pressure on the rings and height when the sliding starts, after the first load has acted for some time."""
     if not pressed:
@@ -203,7 +203,7 @@ def start_sliding(
     n_theta: int = 18,
     tolerance: float = 1e-3,
     film_limit: float = 0.0,
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> SlidingStart:
     """Follow a sphere that is moved towards the substrate, or away, and slides from time 0 on.
 
@@ -224,7 +224,7 @@ def start_sliding(
     film_limit : float
         Minimum film at which to stop.
     progress : callable, optional
-        Called with a line of text after each step.
+        Called with a `softlube.solvers.progress.Progress` after each time step.
 
     Raises
     ------
@@ -302,5 +302,6 @@ def start_sliding(
         if judged:
             step *= min(LONGEST_GROWTH, SAFETY * (tolerance / max(error, 1e-12)) ** (1 / 3))
         if progress is not None:
-            progress(f"sliding: {100 * time / motion.duration:.3g} % of the time, step {len(times) - 1}")
+            steps = len(times) - 1
+            progress(Progress(f"sliding: {100 * time / motion.duration:.3g} % of the time, step {steps}", steps))
     return SlidingStart(np.array(times) / unit**1.5, tuple(fields), rejected, ended_by)

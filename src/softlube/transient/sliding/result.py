@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import version
@@ -21,6 +21,7 @@ from softlube.model import substrates
 from softlube.model.problem import Cavitation
 from softlube.model.quantities import Quantity
 from softlube.physical.squeeze import Setup
+from softlube.solvers.progress import Listener
 from softlube.transient.extremes import Extremes
 from softlube.transient.motion import Motion
 from softlube.transient.sliding.integrate import SlidingStart, start_sliding
@@ -204,7 +205,7 @@ def follow_sliding(
     cavitation: Cavitation = "reynolds",
     film_limit: float = 0.0,
     accuracy: float = 2e-2,
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> Slide:
     """Follow a normalised start of sliding on ever finer grids until the films are as accurate as asked for.
 

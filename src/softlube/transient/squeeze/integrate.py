@@ -12,6 +12,7 @@ from scipy.interpolate import CubicSpline
 
 from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError, NotConvergedError
+from softlube.solvers.progress import Listener, Progress
 from softlube.transient.motion import Motion
 from softlube.transient.squeeze.rings import SqueezeFilm
 
@@ -142,7 +143,7 @@ def integrate(
     rings: int | PolarGrid,
     tolerance: float,
     film_limit: float = 0.0,
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> Run:
     """Follow the film through a motion.
 
@@ -157,7 +158,7 @@ def integrate(
     film_limit : float
         Minimum film at which to stop.
     progress : callable, optional
-        Called with a line of text now and then.
+        Called with a `softlube.solvers.progress.Progress` every 20 steps.
 
     Raises
     ------
@@ -204,7 +205,7 @@ def integrate(
         nonlocal steps
         steps += 1
         if progress is not None and steps % 20 == 0:
-            progress(f"{grid.n_r} rings: {100 * t / motion.duration:.3g} % of the time, step {steps}")
+            progress(Progress(f"{grid.n_r} rings: {100 * t / motion.duration:.3g} % of the time, step {steps}", steps))
         return least_on_nodes(z[:n] - added + parabola) - film_limit
 
     above_limit.terminal = True  # type: ignore[attr-defined]

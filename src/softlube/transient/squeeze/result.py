@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.quantities import Quantity
+from softlube.solvers.progress import Listener
 from softlube.transient.extremes import Extremes
 from softlube.transient.motion import Motion
 from softlube.transient.squeeze.integrate import HISTORIES, Run, integrate
@@ -184,7 +185,7 @@ def follow(
     *,
     accuracy: float = 1e-3,
     film_limit: float = 0.0,
-    progress: Callable[[str], None] | None = None,
+    progress: Listener | None = None,
 ) -> Squeeze:
     """Follow a motion, normalised, on ever finer grids until the films are as accurate as asked for.
 
@@ -197,7 +198,7 @@ def follow(
     film_limit : float
         Minimum film at which to stop.
     progress : callable, optional
-        Called with a line of text now and then.
+        Called with a `softlube.solvers.progress.Progress` every 20 time steps.
 
     Raises
     ------
