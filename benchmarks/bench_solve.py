@@ -102,7 +102,7 @@ def layers(beta: float, repeats: int) -> tuple[dict[float, float], dict[float, f
     from softlube import dry, substrates
     from softlube.discretization.system import forget_operators
 
-    cases = {np.inf: {}} | {t: {"substrate": substrates.Layer(t)} for t in THICKNESSES}
+    cases = {np.inf: {}} | {t: {"substrate": substrates.LayerKernel(t)} for t in THICKNESSES}
     caches = (dry.dry_contact, dry.dry_contact_at, substrates._remainder_table, substrates._spectrum)
     times: dict[bool, dict[float, list[float]]] = {anew: {t: [] for t in cases} for anew in (False, True)}
     for _ in range(repeats):

@@ -23,7 +23,7 @@ from fine_grid import reference
 
 from softlube.discretization.measure import DESCRIPTION
 from softlube.model.problem import Problem
-from softlube.model.substrates import Layer
+from softlube.model.substrates import LayerKernel
 from softlube.steady.error_estimate import yardstick
 from softlube.steady.ladder import solve_problem
 
@@ -34,7 +34,7 @@ def random_layer(rng: np.random.Generator) -> Problem:
     ratio = float(rng.choice([0.5, 0.5, 0.5, 0.45, 0.3, 0.0]))
     base = str(rng.choice(["bonded", "bonded", "bonded", "frictionless"]))
     thinnest = 0.25 if (ratio, base) == (0.5, "bonded") else 0.12
-    layer = Layer(float(10 ** rng.uniform(np.log10(thinnest), np.log10(3))), ratio, base)  # type: ignore[arg-type]
+    layer = LayerKernel(float(10 ** rng.uniform(np.log10(thinnest), np.log10(3))), ratio, base)  # type: ignore[arg-type]
     cavitation = str(rng.choice(["reynolds"] * 4 + ["none"]))
     control = "beta_load" if rng.random() < 0.3 else "beta"
     return Problem(**{control: beta}, cavitation=cavitation, substrate=layer)  # type: ignore[arg-type]

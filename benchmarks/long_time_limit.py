@@ -10,20 +10,20 @@ from dataclasses import replace
 import softlube
 from softlube.discretization.measure import measure
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Barus, Newtonian
-from softlube.model.substrates import HalfSpace, Layer
+from softlube.model.liquids import BarusLaw, NewtonianLaw
+from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 from softlube.transient.motion import constant_load
 from softlube.transient.sliding.integrate import start_sliding
 
 CASES = [
-    (1.0, HalfSpace(), Newtonian()),
-    (1000.0, HalfSpace(), Newtonian()),
-    (3e4, HalfSpace(), Newtonian()),
-    (100.0, Layer(1.0), Newtonian()),
-    (100.0, Layer(0.3), Newtonian()),
-    (1000.0, Layer(0.3), Newtonian()),
-    (1000.0, HalfSpace(), Barus(5.0)),
-    (1000.0, Layer(1.0), Barus(5.0)),
+    (1.0, HalfSpaceKernel(), NewtonianLaw()),
+    (1000.0, HalfSpaceKernel(), NewtonianLaw()),
+    (3e4, HalfSpaceKernel(), NewtonianLaw()),
+    (100.0, LayerKernel(1.0), NewtonianLaw()),
+    (100.0, LayerKernel(0.3), NewtonianLaw()),
+    (1000.0, LayerKernel(0.3), NewtonianLaw()),
+    (1000.0, HalfSpaceKernel(), BarusLaw(5.0)),
+    (1000.0, LayerKernel(1.0), BarusLaw(5.0)),
 ]
 COMPARED = ("film_center", "film_min", "friction_contact")
 LONG = 8.0

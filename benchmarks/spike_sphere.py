@@ -16,7 +16,7 @@ import argparse
 import softlube
 from softlube.discretization.measure import poiseuille_within
 from softlube.model.exact import HERTZ_PRESSURE
-from softlube.model.liquids import Barus, DowsonHigginson, Liquid, Roelands
+from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, Liquid, RoelandsLaw
 from softlube.steady.spike.closeup import ANGLES, WIDTHS, close_ups
 from softlube.steady.spike.crest import DISCS, readings
 from softlube.theory.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film
@@ -37,9 +37,9 @@ def main() -> None:
 
     alpha = float(alpha_of_moes(arguments.moes, arguments.material))
     unit = alpha / COEFFICIENT
-    liquid: Liquid = Barus(alpha) if arguments.law == "barus" else Roelands.of(COEFFICIENT, VISCOSITY, unit)
+    liquid: Liquid = BarusLaw(alpha) if arguments.law == "barus" else RoelandsLaw.of(COEFFICIENT, VISCOSITY, unit)
     if arguments.density == "dowson-higginson":
-        liquid = DowsonHigginson.of(liquid, unit)
+        liquid = DowsonHigginsonLaw.of(liquid, unit)
     solution = softlube.solve(beta_load=BETA_LOAD_OF_M * arguments.moes ** (4 / 3), liquid=liquid)
     film = float(moes_film(1.0, solution.beta_load))
     shown = ("spike_pressure", "spike_radius", "pressure_max", "friction_contact", "film_min")

@@ -12,7 +12,7 @@ from softlube.discretization.grid import PolarGrid
 from softlube.discretization.potentials import ring_kernels
 from softlube.discretization.radial import radial_operators, sampled_orders
 from softlube.model.exact import disc_displacement, far_field_profile
-from softlube.model.substrates import Layer
+from softlube.model.substrates import LayerKernel
 
 
 @pytest.mark.parametrize(("r", "source"), [(1.0, 1.0001), (1.0, 1.02), (0.3, 0.5), (0.01, 2.0), (5.0, 1.0), (20.0, 0.02)])
@@ -151,7 +151,7 @@ def test_orders_left_out_are_interpolated():
 @pytest.mark.parametrize("thickness", [0.15, 0.6, 3.0])
 def test_a_remainder_is_sampled_finely_enough(thickness):
     """Against the same remainder on every point of every element, near ones graded."""
-    grid, layer, orders = PolarGrid(40, 12, layer=0.05), Layer(thickness), np.arange(9)
+    grid, layer, orders = PolarGrid(40, 12, layer=0.05), LayerKernel(thickness), np.arange(9)
 
     class Rough:
         smooth_over = 1e-9  # all elements are long to it

@@ -9,8 +9,8 @@ import softlube
 from softlube.cli.main import main
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Barus
-from softlube.model.substrates import Layer
+from softlube.model.liquids import BarusLaw
+from softlube.model.substrates import LayerKernel
 from softlube.theory.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -32,12 +32,12 @@ def test_soft_contact_and_an_oil(capsys):
 
 def test_barus_from_python():
     beta_load = BETA_LOAD_OF_M * 20 ** (4 / 3)
-    solution = softlube.solve(beta_load=beta_load, liquid=Barus(float(alpha_of_moes(20, 2.5))))
+    solution = softlube.solve(beta_load=beta_load, liquid=BarusLaw(float(alpha_of_moes(20, 2.5))))
     assert float(moes_film(solution.film_center, beta_load)) == pytest.approx(2.364, abs=1e-3)
 
 
 def test_layer_from_python():
-    solution = softlube.solve(beta=100, substrate=Layer(1.0))
+    solution = softlube.solve(beta=100, substrate=LayerKernel(1.0))
     assert float(solution.load) == pytest.approx(2.4097, abs=1e-4)
 
 
@@ -45,4 +45,4 @@ def test_table_of_dry_loads():
     text = (DOCS / "layers.md").read_text(encoding="utf-8")
     row = next(line for line in text.splitlines() if line.startswith("| softlube |"))
     for chi, shown in zip((0.1, 0.2, 1 / 3, 0.5, 0.7, 1.0, 10 / 3), re.findall(r"\d+\.\d+", row), strict=True):
-        assert dry_contact_at(Layer(1 / chi), indentation=1.0).load / HERTZ_LOAD == pytest.approx(float(shown), rel=6e-5)
+        assert dry_contact_at(LayerKernel(1 / chi), indentation=1.0).load / HERTZ_LOAD == pytest.approx(float(shown), rel=6e-5)

@@ -10,7 +10,7 @@ import pytest
 from softlube.cli.main import main
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.substrates import Layer
+from softlube.model.substrates import LayerKernel
 from softlube.transient.squeeze.result import DESCRIPTION
 
 PAGE = (Path(__file__).parents[2] / "docs" / "squeeze.md").read_text(encoding="utf-8")
@@ -53,5 +53,5 @@ def test_table_of_layers():
     layers = [(float(t), base, float(depth)) for t, base, depth in rows if t]
     assert len(layers) == 6
     for thickness, base, depth in layers:
-        layer = Layer(thickness, 0.5, "frictionless" if "frictionless" in base else "bonded")
+        layer = LayerKernel(thickness, 0.5, "frictionless" if "frictionless" in base else "bonded")
         assert dry_contact_at(layer, load=HERTZ_LOAD).indentation == pytest.approx(depth, abs=6e-6)

@@ -9,11 +9,11 @@ import pytest
 import softlube
 from softlube.model.dry import dry_contact, dry_contact_at, smeared_contact
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE, hertz_pressure
-from softlube.model.substrates import HalfSpace, Layer
+from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 
 
 def test_half_space_is_hertz():
-    contact = dry_contact(HalfSpace(), 1.5)
+    contact = dry_contact(HalfSpaceKernel(), 1.5)
     assert contact.indentation == pytest.approx(1.5**2, rel=1e-14)
     assert contact.load == pytest.approx(HERTZ_LOAD * 1.5**3, rel=1e-13)
     assert contact.edge == 1.0
@@ -24,11 +24,11 @@ def test_half_space_is_hertz():
 
 def test_first_order_of_a_thick_layer():
     """δ = a² (1 + (4/3π) α₀ a/t) at a given radius and load/Hertz = 1 − (2/π) α₀ χ, with α₀ = ∫(C − 1)dκ."""
-    for layer in (Layer(1e3), Layer(1e3, 0.2), Layer(1e3, 0.5, "frictionless")):
+    for layer in (LayerKernel(1e3), LayerKernel(1e3, 0.2), LayerKernel(1e3, 0.5, "frictionless")):
         alpha = layer.spectrum()[1].sum() * layer.thickness
         ours = dry_contact_at(layer, indentation=1.0).load / HERTZ_LOAD
         assert ours == pytest.approx(1 - 2 / np.pi * alpha / layer.thickness, abs=5e-6)
-    assert Layer(1.0, 0.5, "frictionless").spectrum()[1].sum() == pytest.approx(-1.16758, abs=1e-5)
+    assert LayerKernel(1.0, 0.5, "frictionless").spectrum()[1].sum() == pytest.approx(-1.16758, abs=1e-5)
 
 
 def test_third_order_of_a_thick_layer():
@@ -36,13 +36,13 @@ def test_third_order_of_a_thick_layer():
 
     The base lifts the surface by −α₀N/t − α₂⟨ρ²⟩N/(4t³): a shift of δ and a change of curvature, in Hertz's formulas.
     """
-    layer = Layer(1.0)
+    layer = LayerKernel(1.0)
     kappa, defect = layer.spectrum()
     b, alpha = -2 / np.pi * defect.sum(), float((kappa**2 * defect).sum())
     second, third = 7 / 6 * b**2, 40 / 27 * b**3 + 8 / (15 * np.pi) * alpha
     left = []
     for chi in (0.02, 0.04):
-        ours = dry_contact_at(Layer(1 / chi), indentation=1.0).load / HERTZ_LOAD
+        ours = dry_contact_at(LayerKernel(1 / chi), indentation=1.0).load / HERTZ_LOAD
         left.append(ours - (1 + b * chi + second * chi**2 + third * chi**3))
         # García & García (Biophys. J. 114, 2018, 2923) have 1.133, 1.497, 1.469, 0.755.
         theirs = 1 + 1.133 * chi + 1.497 * chi**2 + 1.469 * chi**3 + 0.755 * chi**4
@@ -52,7 +52,7 @@ def test_third_order_of_a_thick_layer():
 
 def test_thin_compressible_layer_is_a_winkler_foundation():
     """Pressure δ(1 − r²/a²)/K with a² = 2δ and C = Kk/(2π): load πδ²/K."""
-    for layer in (Layer(0.02, 0.3), Layer(0.02, 0.5, "frictionless")):
+    for layer in (LayerKernel(0.02, 0.3), LayerKernel(0.02, 0.5, "frictionless")):
         slope = 0.5 if layer.base == "frictionless" else (1 - 0.6) / (2 * 0.7**2)
         modulus = 2 * np.pi * slope * layer.thickness
         contact = dry_contact_at(layer, indentation=1.0)
@@ -62,7 +62,7 @@ def test_thin_compressible_layer_is_a_winkler_foundation():
 
 def test_thin_incompressible_layer():
     """With C = 2κ³/3: (4π/3)t³ ∇²p = −(1 − r²/2), p and its slope zero at the edge: a² = 4δ and load 1/(2t³)."""
-    thin, thinner = (dry_contact_at(Layer(t), indentation=1.0) for t in (0.05, 0.025))
+    thin, thinner = (dry_contact_at(LayerKernel(t), indentation=1.0) for t in (0.05, 0.025))
     assert thinner.radius == pytest.approx(2.0, rel=0.03)
     # p = (3/(4π t³)) (a² − r²)²/32 at a² = 4
     assert thinner.load == pytest.approx(0.5 / 0.025**3, rel=0.15)
@@ -70,7 +70,7 @@ def test_thin_incompressible_layer():
 
 
 def test_lubricated_layer_at_large_beta_carries_the_dry_load():
-    layer = Layer(1.0)
+    layer = LayerKernel(1.0)
     dry = dry_contact_at(layer, indentation=1.0)
     loads = [float(softlube.solve(beta=beta, substrate=layer).load) for beta in (1e4, 1e5)]
     excess = [load / dry.load - 1 for load in loads]
@@ -79,11 +79,11 @@ def test_lubricated_layer_at_large_beta_carries_the_dry_load():
 
 
 def test_smeared_contact_is_smooth_and_as_deep_as_asked():
-    pressure = smeared_contact(HalfSpace(), 1.0, 0.1)
+    pressure = smeared_contact(HalfSpaceKernel(), 1.0, 0.1)
     assert pressure(0.0) == pytest.approx(HERTZ_PRESSURE, rel=0.01)
     assert pressure(1.2) == 0
 
 
 def test_unique_input():
     with pytest.raises(ValueError, match="exactly one"):
-        dry_contact_at(HalfSpace())
+        dry_contact_at(HalfSpaceKernel())

@@ -13,7 +13,7 @@ from softlube.errors import InputError, NotConvergedError
 from softlube.model import liquids as liquids
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.substrates import Layer
+from softlube.model.substrates import LayerKernel
 from softlube.physical.squeeze import read_history
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s"}
@@ -88,7 +88,7 @@ def test_on_a_layer_the_ball_comes_to_the_dry_contact():
     press = softlube.squeeze(**slab, load="100 mN", initial_height="100 um", duration="1000 s")
     modulus = 3e6 / (1 - 0.3**2)  # E*
     hertz = (9 * 0.1**2 / (16 * modulus**2 * 2e-3)) ** (1 / 3)
-    layer = Layer(0.5e-3 / math.sqrt(2e-3 * hertz), 0.3, "frictionless")
+    layer = LayerKernel(0.5e-3 / math.sqrt(2e-3 * hertz), 0.3, "frictionless")
     dry = dry_contact_at(layer, load=HERTZ_LOAD)
     assert press.final["height"] == pytest.approx(-dry.indentation * hertz, rel=5e-3)
     highest = modulus * math.sqrt(hertz / 2e-3) * math.pi * float(dry.pressure(0.0))  # 4πG → πE*
@@ -121,7 +121,7 @@ def test_a_layer_that_is_pulled_from_and_pressed_to_a_height():
     assert pulled.history("pressure_min").min() < 0
     assert np.all(pulled.history("load")[1:] < 0)
     pressed = softlube.squeeze(**slab, height=lambda t: 5e-6 - 25e-6 * min(t, 1.0), duration="2 s", accuracy=1e-2)
-    depth = dry_contact_at(Layer(0.2e-3 / math.sqrt(2e-3 * 5e-6)), indentation=4.0)
+    depth = dry_contact_at(LayerKernel(0.2e-3 / math.sqrt(2e-3 * 5e-6)), indentation=4.0)
     assert pressed.final["load"] == pytest.approx(4 * math.pi * 1e6 * 5e-6 * math.sqrt(2e-3 * 5e-6) * depth.load, rel=0.05)
     assert any("load of a dry contact +" in doubt for doubt in pressed.warnings)
 

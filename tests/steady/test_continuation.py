@@ -7,7 +7,7 @@ import softlube
 from softlube.discretization.system import ContactSystem
 from softlube.errors import NotConvergedError
 from softlube.model.problem import Problem
-from softlube.model.substrates import Layer
+from softlube.model.substrates import LayerKernel
 from softlube.solvers.newton import newton
 from softlube.steady.continuation import settle
 from softlube.steady.ladder import solve_level
@@ -17,7 +17,7 @@ PROBLEMS = [Problem(beta=900.0), Problem(beta=2.0), Problem(beta_load=900.0), Pr
 
 
 @pytest.mark.parametrize(
-    "problem", [*PROBLEMS, Problem(beta=100.0, cavitation="none"), Problem(beta=100.0, substrate=Layer(0.5))]
+    "problem", [*PROBLEMS, Problem(beta=100.0, cavitation="none"), Problem(beta=100.0, substrate=LayerKernel(0.5))]
 )
 def test_settles_at_the_direct_solution(problem):
     system = ContactSystem(problem, grid_for(problem, 12), unit_for(problem))
@@ -28,7 +28,7 @@ def test_settles_at_the_direct_solution(problem):
     assert states[-1].x == pytest.approx(direct.x, abs=1e-8)
 
 
-THIN = Problem(beta=30.0, substrate=Layer(0.2))
+THIN = Problem(beta=30.0, substrate=LayerKernel(0.2))
 
 
 def test_where_newtons_method_goes_astray():
@@ -37,22 +37,22 @@ def test_where_newtons_method_goes_astray():
     system = ContactSystem(THIN, grid, unit_for(THIN))
     assert not newton(system, system.start()).converged
     assert list(settle(system, system.start()))[-1].converged
-    solution = softlube.solve(beta=30.0, substrate=Layer(0.2))
+    solution = softlube.solve(beta=30.0, substrate=LayerKernel(0.2))
     assert solution.film_center.error < 1e-3 * solution.film_center
-    finer = softlube.solve(beta=30.0, substrate=Layer(0.2), accuracy=5e-4)
+    finer = softlube.solve(beta=30.0, substrate=LayerKernel(0.2), accuracy=5e-4)
     for name in ("film_center", "film_min", "load", "friction_domain"):
         coarse, fine = solution.quantities[name], finer.quantities[name]
         assert abs(coarse - fine) <= coarse.error + fine.error
 
 
 def test_a_grid_without_a_solution_is_refused_with_a_diagnosis():
-    problem = Problem(beta=100.0, substrate=Layer(0.2))
+    problem = Problem(beta=100.0, substrate=LayerKernel(0.2))
     with pytest.raises(NotConvergedError, match=r"did not converge at beta = 100 on \d+ x 15 cells: after \d+ steps"):
         solve_level(problem, grid_for(problem, 15), None)
 
 
 def test_a_minimum_film_at_a_front():
-    solution = softlube.solve(beta=50.0, substrate=Layer(0.2))
+    solution = softlube.solve(beta=50.0, substrate=LayerKernel(0.2))
     assert solution.film_center == pytest.approx(0.0112645, rel=2e-4)
     assert abs(solution.film_min - 0.007386) < solution.film_min.error < 0.05 * solution.film_min  # on 310 x 124 cells
     (said,) = solution.warnings
@@ -62,7 +62,7 @@ def test_a_minimum_film_at_a_front():
 @pytest.mark.slow
 def test_a_front_that_no_grid_resolves():
     lines = []
-    solution = softlube.solve(beta=100.0, substrate=Layer(0.2), progress=lines.append)
+    solution = softlube.solve(beta=100.0, substrate=LayerKernel(0.2), progress=lines.append)
     assert "too few: no solution" in str(lines[0])  # and the next grid is taken
     assert solution.film_center == pytest.approx(0.0078797, rel=1e-4)  # the same on 336 x 124 cells
     assert np.isnan(solution.film_min)

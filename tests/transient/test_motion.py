@@ -9,8 +9,8 @@ import pytest
 
 from softlube.errors import InputError
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Barus
-from softlube.model.substrates import Layer
+from softlube.model.liquids import BarusLaw
+from softlube.model.substrates import LayerKernel
 from softlube.transient.drives import sampled
 from softlube.transient.motion import Motion, constant_load, constant_speed, history
 from softlube.transient.squeeze.rings import SqueezeFilm
@@ -62,7 +62,7 @@ def test_history_passes_through_its_points_without_overshoot():
         constant_load(0.1, 2.0, 3.0),
         constant_speed(-0.5, 1.0, 0.3),
         history("load", [0, 1, 2, 4], [0.0, 1.0, 1.0, 0.2], 2.0),
-        replace(history("height", [0, 1], [3.0, 2.0]), substrate=Layer(0.5, 0.3), liquid=Barus(2.0)),
+        replace(history("height", [0, 1], [3.0, 2.0]), substrate=LayerKernel(0.5, 0.3), liquid=BarusLaw(2.0)),
     ],
     ids=["load", "speed", "history", "models"],
 )

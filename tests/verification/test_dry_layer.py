@@ -12,7 +12,7 @@ from skfem.helpers import grad
 
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.substrates import Layer
+from softlube.model.substrates import LayerKernel
 
 FINITE_ELEMENT_ERROR = 2e-4
 """Of the load on the mesh below: where the contact's edge lies between two nodes, it cannot tell."""
@@ -76,7 +76,7 @@ def finite_element_load(chi, poisson_ratio=0.5, base="bonded", cells=16):
 
 
 def dry_load(chi, *layer):
-    return dry_contact_at(Layer(1 / chi, *layer), indentation=1.0).load / HERTZ_LOAD
+    return dry_contact_at(LayerKernel(1 / chi, *layer), indentation=1.0).load / HERTZ_LOAD
 
 
 @pytest.mark.parametrize("chi", [0.1, 0.2, 1 / 3, 0.5, 0.7, 1.0])

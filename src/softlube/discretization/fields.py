@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import RectBivariateSpline
 
-from softlube.model.liquids import Liquid, Newtonian
+from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.problem import Cavitation
 
 Array = NDArray[np.floating]
@@ -62,7 +62,7 @@ class Fields:
     cavitation: Cavitation
     load: float
     height: float = -1.0
-    liquid: Liquid = field(default_factory=Newtonian)
+    liquid: Liquid = field(default_factory=NewtonianLaw)
 
     def in_units(self, unit: float) -> Fields:
         """The same fields normalised with another unit of height, given over the present one; Eq. (4)."""

@@ -19,12 +19,12 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from softlube.discretization.grid import PolarGrid
-from softlube.model.liquids import Liquid, Newtonian
+from softlube.model.liquids import Liquid, NewtonianLaw
 
 Array = NDArray[np.floating]
 Sparse = sparse.csr_array
 
-CONSTANT = Newtonian()
+CONSTANT = NewtonianLaw()
 
 # Staggered formulas of fourth order: value and derivative half-way between nodes, offsets from the face −2, −1, 0, 1.
 MIDPOINT = {-2: -1 / 16, -1: 9 / 16, 0: 9 / 16, 1: -1 / 16}

@@ -22,7 +22,8 @@ from scipy.interpolate import CubicSpline
 
 from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.substrates import EVEN, Substrate
+from softlube.model.substrates import Substrate
+from softlube.model.substrates.layer import EVEN
 
 Array = NDArray[np.floating]
 
@@ -83,8 +84,8 @@ def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
 
     Examples
     --------
-    >>> from softlube.model.substrates import HalfSpace
-    >>> dry_contact(HalfSpace(), 2.0).indentation
+    >>> from softlube.model.substrates import HalfSpaceKernel
+    >>> dry_contact(HalfSpaceKernel(), 2.0).indentation
     4.0
     """
     k, defect = substrate.spectrum(2 * radius)
@@ -118,10 +119,10 @@ def dry_contact_at(substrate: Substrate, *, indentation: float | None = None, lo
 
     Examples
     --------
-    >>> from softlube.model.substrates import HalfSpace, Layer
-    >>> dry_contact_at(HalfSpace(), indentation=1.0).radius
+    >>> from softlube.model.substrates import HalfSpaceKernel, LayerKernel
+    >>> dry_contact_at(HalfSpaceKernel(), indentation=1.0).radius
     1.0
-    >>> dry_contact_at(Layer(1.0), indentation=1.0).load > dry_contact_at(HalfSpace(), indentation=1.0).load
+    >>> dry_contact_at(LayerKernel(1.0), indentation=1.0).load > dry_contact_at(HalfSpaceKernel(), indentation=1.0).load
     True
     """
     if (indentation is None) == (load is None):

@@ -10,8 +10,8 @@ from typing import Any, Literal, get_args
 from softlube.errors import InputError
 from softlube.model import liquids as liquids
 from softlube.model import substrates
-from softlube.model.liquids import Liquid, Newtonian
-from softlube.model.substrates import HalfSpace, Substrate
+from softlube.model.liquids import Liquid, NewtonianLaw
+from softlube.model.substrates import HalfSpaceKernel, Substrate
 
 Cavitation = Literal["reynolds", "none"]
 
@@ -51,8 +51,8 @@ class Problem:
     beta_load: float | None = None
     cavitation: Cavitation = "reynolds"
     height: int = -1
-    substrate: Substrate = field(default_factory=HalfSpace)
-    liquid: Liquid = field(default_factory=Newtonian)
+    substrate: Substrate = field(default_factory=HalfSpaceKernel)
+    liquid: Liquid = field(default_factory=NewtonianLaw)
 
     def __post_init__(self) -> None:
         if (self.beta is None) == (self.beta_load is None):

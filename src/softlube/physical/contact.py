@@ -16,7 +16,7 @@ from softlube.errors import InputError
 from softlube.model.liquids import Liquid
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import Quantity
-from softlube.model.substrates import Layer, Substrate
+from softlube.model.substrates import LayerKernel, Substrate
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
     LARGEST_SLOPE,
@@ -94,7 +94,7 @@ class Contact(Materials):
     viscosity_law : {"barus", "roelands"}
         The law that α is of; see `softlube.model.liquids`.
     density_law : {"constant", "dowson-higginson"}
-        How the density rises with the pressure; see `softlube.model.liquids.DowsonHigginson`.
+        How the density rises with the pressure; see `softlube.model.liquids.DowsonHigginsonLaw`.
     roughness : str, float or pint.Quantity, optional
         Roughness height; used for a warning only.
     density : str, float or pint.Quantity
@@ -309,7 +309,7 @@ class Contact(Materials):
     def _thickness_effect(self, dimensional: Mapping[str, Quantity]) -> list[str]:
         """What the finite thickness of the substrate changes, computed."""
         substrate = self.substrate()
-        assert isinstance(substrate, Layer)
+        assert isinstance(substrate, LayerKernel)
         dry, changes = dry_effect(substrate, by_load=self.load is not None)
         if self.pressure_viscosity is None:
             from softlube.theory import master_curve as curve

@@ -12,8 +12,10 @@ import numpy as np
 from softlube.errors import InputError
 from softlube.model.dry import DryContact, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Barus, DowsonHigginson, Liquid, Newtonian, Roelands
-from softlube.model.substrates import Base, HalfSpace, Layer, Substrate, check_poisson_ratio
+from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, Liquid, NewtonianLaw, RoelandsLaw
+from softlube.model.substrates import HalfSpaceKernel, LayerKernel, Substrate
+from softlube.model.substrates.base import check_poisson_ratio
+from softlube.model.substrates.layer import Base
 from softlube.physical.units import KINDS, to_si
 
 LARGEST_SLOPE = 0.3
@@ -114,18 +116,18 @@ class Materials:
     def substrate_for(self, height: float) -> Substrate:
         """What the sphere moves over, normalised with a height [m]."""
         if self.thickness is None:
-            return HalfSpace()
-        return Layer(self.thickness / math.sqrt(self.radius * height), self.poisson_ratio, self.base)
+            return HalfSpaceKernel()
+        return LayerKernel(self.thickness / math.sqrt(self.radius * height), self.poisson_ratio, self.base)
 
     def liquid_for(self, height: float) -> Liquid:
         """The laws of viscosity and density, normalised with a height [m]."""
         pressure = self.scales(height)["pressure"][0]
-        law: Liquid = Newtonian()
+        law: Liquid = NewtonianLaw()
         if self.pressure_viscosity is not None and self.viscosity_law == "barus":
-            law = Barus(self.pressure_viscosity * pressure)
+            law = BarusLaw(self.pressure_viscosity * pressure)
         elif self.pressure_viscosity is not None:
-            law = Roelands.of(self.pressure_viscosity, self.viscosity, pressure)
-        return law if self.density_law == "constant" else DowsonHigginson.of(law, pressure)
+            law = RoelandsLaw.of(self.pressure_viscosity, self.viscosity, pressure)
+        return law if self.density_law == "constant" else DowsonHigginsonLaw.of(law, pressure)
 
     def thickening_doubt(self, highest_pressure: float) -> list[str]:
         """Warnings if viscosity or density are given as rising, and hardly rise up to a pressure [Pa]."""
@@ -144,14 +146,14 @@ class Materials:
         ]
 
 
-def layer_doubt(dry: DryContact, substrate: Layer, changes: Mapping[str, tuple[float, float]]) -> list[str]:
+def layer_doubt(dry: DryContact, substrate: LayerKernel, changes: Mapping[str, tuple[float, float]]) -> list[str]:
     """A warning if the finite thickness changes something by more than `LARGEST_LAYER_EFFECT`.
 
     Parameters
     ----------
     dry : DryContact
         The dry contact, for the thickness over its radius.
-    substrate : Layer
+    substrate : LayerKernel
         In the same units.
     changes : mapping of str to pair of float
         What is changed, in words, by what share of the half-space's value, and the error of that.

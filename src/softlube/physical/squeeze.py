@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
-from softlube.model.substrates import Layer
+from softlube.model.substrates import LayerKernel
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
     LARGEST_SLOPE,
@@ -130,7 +130,7 @@ class Setup(Materials):
         layer: list[str] = []
         radius = (self.radius * depth) ** 0.5
         substrate = self.substrate_for(self.unit_height)
-        if depth > 0 and isinstance(substrate, Layer):
+        if depth > 0 and isinstance(substrate, LayerKernel):
             dry, changes = dry_effect(substrate, by_load=self.control == "load", depth=depth / self.unit_height)
             radius = dry.radius * self.units["length"][0]
             layer = layer_doubt(dry, substrate, changes)

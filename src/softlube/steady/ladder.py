@@ -16,10 +16,10 @@ from softlube.discretization.measure import measure
 from softlube.discretization.system import ContactSystem
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Liquid, Newtonian
+from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
-from softlube.model.substrates import HalfSpace, Substrate
+from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.solvers.newton import Iteration, newton
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.continuation import settle, thicken
@@ -265,8 +265,8 @@ def solve(
         beta,
         beta_load,
         cavitation,  # type: ignore[arg-type]
-        substrate=substrate or HalfSpace(),
-        liquid=liquid or Newtonian(),
+        substrate=substrate or HalfSpaceKernel(),
+        liquid=liquid or NewtonianLaw(),
     )
     return solve_problem(problem, accuracy=accuracy, method=method, progress=progress)
 

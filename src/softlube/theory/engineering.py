@@ -135,7 +135,7 @@ def moes_load(beta_load: ArrayLike) -> Array:
 
 
 def alpha_of_moes(m: ArrayLike, material: ArrayLike) -> Array:
-    """ᾱ of `softlube.model.liquids.Barus` under a prescribed load, from Moes' M and L: (π/2)(3M/2)^(1/3) L.
+    """ᾱ of `softlube.model.liquids.BarusLaw` under a prescribed load, from Moes' M and L: (π/2)(3M/2)^(1/3) L.
 
     From ᾱ = 4πGα√(δ/R) with δ of Eq. (29), E′ = 8G.
     """

@@ -27,10 +27,10 @@ from scipy.interpolate import CubicSpline
 
 from softlube.discretization.measure import DESCRIPTION
 from softlube.errors import InputError
-from softlube.model.liquids import Newtonian
+from softlube.model.liquids import NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
-from softlube.model.substrates import HalfSpace
+from softlube.model.substrates import HalfSpaceKernel
 from softlube.theory import limits
 
 Array = NDArray[np.floating]
@@ -239,7 +239,7 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
     InputError
         For a prescribed gap, h₀ ≥ 0, which has no curve of its own.
     """
-    if (problem.substrate, problem.liquid) != (HalfSpace(), Newtonian()):
+    if (problem.substrate, problem.liquid) != (HalfSpaceKernel(), NewtonianLaw()):
         raise InputError(
             "thickness, pressure_viscosity: the master curve is for a half-space and constant viscosity; "
             "solve the problem instead"

@@ -16,8 +16,8 @@ from softlube.errors import InputError, NotConvergedError
 from softlube.model import liquids as liquids
 from softlube.model import substrates
 from softlube.model.dry import DryContact, dry_contact_at
-from softlube.model.liquids import Liquid, Newtonian
-from softlube.model.substrates import HalfSpace, Substrate
+from softlube.model.liquids import Liquid, NewtonianLaw
+from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.transient import drives
 from softlube.transient.squeeze.rings import Control, SqueezeFilm
 
@@ -64,8 +64,8 @@ class Motion:
     initial_height: float
     duration: float
     longest_step: float = np.inf
-    substrate: Substrate = field(default_factory=HalfSpace)
-    liquid: Liquid = field(default_factory=Newtonian)
+    substrate: Substrate = field(default_factory=HalfSpaceKernel)
+    liquid: Liquid = field(default_factory=NewtonianLaw)
 
     def __post_init__(self) -> None:
         if self.control not in ("load", "height"):

@@ -8,7 +8,7 @@ import pytest
 import softlube
 from softlube.discretization.grid import PolarGrid
 from softlube.model.exact import HERTZ_PRESSURE
-from softlube.model.liquids import Barus, DowsonHigginson
+from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
 from softlube.steady.spike import crest as crests
@@ -58,7 +58,7 @@ def test_circle_through_points_of_one():
 def test_close_ups_find_the_ridge_that_the_contact_shows(monkeypatch):
     """M = 20, L = 8: every mesh puts its circle where the last one saw the fall, within a few of its cells."""
     alpha = float(alpha_of_moes(20, 8))
-    problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=DowsonHigginson.of(Barus(alpha), alpha / 20e-9))
+    problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=DowsonHigginsonLaw.of(BarusLaw(alpha), alpha / 20e-9))
     monkeypatch.setattr(crests, "resolve_spike", lambda *_: {})  # not here, but below
     solution = softlube.solve(beta_load=problem.beta_load, liquid=problem.liquid, accuracy=1e-2)
     seen = list(close_ups(problem, solution.fields, (1e-2, 2e-3, 5e-4), angles=26))
@@ -77,7 +77,7 @@ def test_close_ups_find_the_ridge_that_the_contact_shows(monkeypatch):
 def test_close_ups_end_where_newton_fails(soft):
     """From pressures that are no solution of anything: no mesh, rather than a wrong one."""
     alpha = float(alpha_of_moes(20, 30))
-    problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=DowsonHigginson.of(Barus(alpha), alpha / 20e-9))
+    problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=DowsonHigginsonLaw.of(BarusLaw(alpha), alpha / 20e-9))
     hopeless = replace(soft.fields, pressure=soft.fields.pressure * 5, liquid=problem.liquid)
     assert list(close_ups(problem, hopeless, (1e-2,), angles=12)) == []
 
@@ -88,7 +88,7 @@ def test_without_compressibility_the_spike_grows_with_every_mesh(monkeypatch):
     monkeypatch.setattr(crests, "resolve_spike", lambda *_: {})
     heights = {}
     for material in (5.4, 6.0):
-        problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=Barus(float(alpha_of_moes(20, material))))
+        problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=BarusLaw(float(alpha_of_moes(20, material))))
         solution = softlube.solve(beta_load=problem.beta_load, liquid=problem.liquid, accuracy=1e-2)
         seen = close_ups(problem, solution.fields, (1e-2, 2e-3, 5e-4, 1.25e-4), angles=39)
         heights[material] = [crests.crest(each.fields, 39, int(each.fall[-1])).pressure for each in seen][1:]

@@ -8,7 +8,7 @@ import pytest
 import softlube
 import softlube.discretization.measure
 import softlube.theory.limits
-from softlube.model.liquids import Barus, DowsonHigginson
+from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw
 from softlube.readout.friction import split
 from softlube.solvers.newton import newton
 from softlube.steady.spike import closeup
@@ -25,7 +25,7 @@ def column(cell, alternation, alpha=10.0):
     pressure = np.where(r < 0.4, 1.5 + 2.0 * x * np.log(x), 0.7)
     ahead = np.arange(59, -1, -1)
     pressure[:60] += alternation * (-1.0) ** ahead * 2.0**-ahead
-    return SimpleNamespace(r=r, pressure=pressure[:, None], liquid=Barus(alpha))
+    return SimpleNamespace(r=r, pressure=pressure[:, None], liquid=BarusLaw(alpha))
 
 
 @pytest.mark.parametrize("cell", [1e-3, 1e-4, 1e-5])
@@ -73,7 +73,7 @@ def needle():
     lines = []
     solution = softlube.solve(
         beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3),
-        liquid=DowsonHigginson.of(Barus(alpha), alpha / 20e-9),
+        liquid=DowsonHigginsonLaw.of(BarusLaw(alpha), alpha / 20e-9),
         accuracy=1e-2,
         progress=lines.append,
     )

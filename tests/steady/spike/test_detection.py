@@ -11,7 +11,7 @@ import softlube
 from softlube.cli.main import main
 from softlube.discretization.system import ContactSystem
 from softlube.model.exact import HERTZ_PRESSURE
-from softlube.model.liquids import Barus, DowsonHigginson, Roelands
+from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, RoelandsLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
 from softlube.readout.flow import net_flux
@@ -45,7 +45,7 @@ HARD = [
 
 def moes(m, material):
     """A contact in Moes' parameters."""
-    return Problem(beta_load=BETA_LOAD_OF_M * m ** (4 / 3), liquid=Barus(float(alpha_of_moes(m, material))))
+    return Problem(beta_load=BETA_LOAD_OF_M * m ** (4 / 3), liquid=BarusLaw(float(alpha_of_moes(m, material))))
 
 
 def solve(m, material, accuracy):
@@ -64,7 +64,7 @@ def test_alpha_p_hertz_of_moes():
     assert thickening(moes(20, 10)) == pytest.approx(10 / np.pi * 30 ** (1 / 3))
 
 
-@pytest.mark.parametrize("law", [None, Roelands(48.8, 0.68, 3.33 / 48.8)])
+@pytest.mark.parametrize("law", [None, RoelandsLaw(48.8, 0.68, 3.33 / 48.8)])
 def test_march_ends_where_it_should(law):
     problem = moes(20, 10) if law is None else Problem(beta_load=moes(20, 10).beta_load, liquid=law)
     grid = grid_for(problem, 12)
@@ -166,13 +166,13 @@ def dense(m, material, law):
     """A contact in Moes' parameters with a liquid of 20/GPa and 0.05 Pa s, denser under pressure."""
     problem = moes(m, material)
     unit = problem.liquid.alpha / 20e-9
-    thick = problem.liquid if law == "barus" else Roelands.of(20e-9, 0.05, unit)
-    return problem.beta_load, DowsonHigginson.of(thick, unit)
+    thick = problem.liquid if law == "barus" else RoelandsLaw.of(20e-9, 0.05, unit)
+    return problem.beta_load, DowsonHigginsonLaw.of(thick, unit)
 
 
 @pytest.fixture(scope="module")
 def resolved():
-    """M = 20, L = 10 with the liquid of the published formulas: Roelands, Dowson & Higginson."""
+    """M = 20, L = 10 with the liquid of the published formulas: RoelandsLaw, Dowson & Higginson."""
     beta_load, liquid = dense(20, 10, "roelands")
     return softlube.solve(beta_load=beta_load, liquid=liquid, accuracy=1e-2)
 

@@ -10,9 +10,9 @@ from softlube.discretization.measure import measure
 from softlube.discretization.system import ContactSystem
 from softlube.errors import InputError
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Barus, Newtonian
+from softlube.model.liquids import BarusLaw, NewtonianLaw
 from softlube.model.problem import Problem
-from softlube.model.substrates import HalfSpace, Layer
+from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 from softlube.steady.ladder import solve_level
 from softlube.steady.mesh import angles_for, grid_for
 from softlube.transient.motion import constant_load, constant_speed, history
@@ -41,16 +41,16 @@ LOADED_LATE = history("load", [0, 100, 200, 800], [0.1, 0.1, HERTZ_LOAD, HERTZ_L
 @pytest.mark.parametrize(
     ("beta", "motion", "substrate", "liquid"),
     [
-        (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), Layer(1.0), Newtonian()),
-        (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), Layer(0.3, 0.3, "frictionless"), Newtonian()),
-        (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), Layer(1.0, 0.4), Barus(5.0)),
-        (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), HalfSpace(), Barus(5.0)),
-        (BETA, constant_load(2 * HERTZ_LOAD, 1.0, 800.0), HalfSpace(), Newtonian()),
-        (BETA, LOADED_LATE, HalfSpace(), Newtonian()),
-        (BETA, PRESSED_DOWN, HalfSpace(), Newtonian()),
-        (1.0, history("height", [0, 1, 2, 20], [1.0, 0.7, 0.5, 0.5]), HalfSpace(), Newtonian()),
-        (1.0, history("height", [0, 1, 2, 20], [1.0, 0.7, 0.0, 0.0]), Layer(1.0), Newtonian()),
-        (1.0, constant_load(HERTZ_LOAD, 1.0, 60.0), HalfSpace(), Newtonian()),
+        (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), LayerKernel(1.0), NewtonianLaw()),
+        (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), LayerKernel(0.3, 0.3, "frictionless"), NewtonianLaw()),
+        (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), LayerKernel(1.0, 0.4), BarusLaw(5.0)),
+        (BETA, constant_load(HERTZ_LOAD, 1.0, 600.0), HalfSpaceKernel(), BarusLaw(5.0)),
+        (BETA, constant_load(2 * HERTZ_LOAD, 1.0, 800.0), HalfSpaceKernel(), NewtonianLaw()),
+        (BETA, LOADED_LATE, HalfSpaceKernel(), NewtonianLaw()),
+        (BETA, PRESSED_DOWN, HalfSpaceKernel(), NewtonianLaw()),
+        (1.0, history("height", [0, 1, 2, 20], [1.0, 0.7, 0.5, 0.5]), HalfSpaceKernel(), NewtonianLaw()),
+        (1.0, history("height", [0, 1, 2, 20], [1.0, 0.7, 0.0, 0.0]), LayerKernel(1.0), NewtonianLaw()),
+        (1.0, constant_load(HERTZ_LOAD, 1.0, 60.0), HalfSpaceKernel(), NewtonianLaw()),
     ],
     ids=[
         "layer",
@@ -76,7 +76,7 @@ def test_every_motion_ends_in_its_steady_sliding(beta, motion, substrate, liquid
 
 
 def test_on_a_layer_to_the_accuracy_of_the_steady_solver():
-    layer = Layer(1.0)
+    layer = LayerKernel(1.0)
     run = start_sliding(BETA, replace(constant_load(HERTZ_LOAD, 1.0, 6 * BETA), substrate=layer), tolerance=3e-3)
     steady = softlube.solve(beta_load=BETA, substrate=layer)
     late = measure(run.fields[-1])
@@ -85,7 +85,7 @@ def test_on_a_layer_to_the_accuracy_of_the_steady_solver():
 
 
 def test_slow_sliding_on_a_layer_is_a_squeeze_film():
-    motion = replace(constant_load(HERTZ_LOAD, 1.0, 30.0), substrate=Layer(0.5), liquid=Barus(2.0))
+    motion = replace(constant_load(HERTZ_LOAD, 1.0, 30.0), substrate=LayerKernel(0.5), liquid=BarusLaw(2.0))
     run = start_sliding(1e7, motion, n_theta=18, tolerance=3e-4)
     expected = integrate(motion, rings=128, tolerance=1e-7).histories(run.time)
     assert run.film_center == pytest.approx(expected["film_center"], rel=3e-3)

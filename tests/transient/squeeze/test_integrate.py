@@ -9,8 +9,8 @@ from scipy.interpolate import CubicSpline
 from softlube.errors import InputError
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Barus, Roelands
-from softlube.model.substrates import Layer
+from softlube.model.liquids import BarusLaw, RoelandsLaw
+from softlube.model.substrates import LayerKernel
 from softlube.transient.motion import constant_load, constant_speed, history
 from softlube.transient.squeeze.integrate import integrate
 
@@ -106,16 +106,16 @@ def test_a_very_thick_layer_is_the_half_space(dimple):
     """The difference is the dry contact's, 1.127·(2/3) a/t of the indentation, and falls like 1/t."""
     difference = []
     for thickness in (100.0, 1000.0):
-        run = integrate(replace(dimple.motion, substrate=Layer(thickness)), rings=91, tolerance=1e-6)
+        run = integrate(replace(dimple.motion, substrate=LayerKernel(thickness)), rings=91, tolerance=1e-6)
         other, own = run.histories(dimple.time), dimple.histories()
         difference.append(np.max(np.abs(other["height"] - own["height"])))
         for name in ("film_center", "film_min"):
             assert other[name] == pytest.approx(own[name], rel=0.4 / thickness), name
     assert difference[1] == pytest.approx(0.1 * difference[0], rel=0.02)
-    assert difference[1] == pytest.approx(1 - dry_contact_at(Layer(1000.0), load=HERTZ_LOAD).indentation, rel=0.02)
+    assert difference[1] == pytest.approx(1 - dry_contact_at(LayerKernel(1000.0), load=HERTZ_LOAD).indentation, rel=0.02)
 
 
-LAYERS = [Layer(1.0), Layer(0.3), Layer(0.1, 0.0), Layer(0.3, 0.3, "frictionless")]
+LAYERS = [LayerKernel(1.0), LayerKernel(0.3), LayerKernel(0.1, 0.0), LayerKernel(0.3, 0.3, "frictionless")]
 
 
 @pytest.mark.parametrize("layer", LAYERS, ids=str)
@@ -133,7 +133,7 @@ def test_on_a_layer_the_end_is_the_dry_contact(layer):
     assert run.volume_error < 1e-6
 
 
-@pytest.mark.parametrize("layer", [Layer(0.3), Layer(0.3, 0.3, "frictionless")], ids=str)
+@pytest.mark.parametrize("layer", [LayerKernel(0.3), LayerKernel(0.3, 0.3, "frictionless")], ids=str)
 def test_on_a_layer_grid_and_tolerance_change_the_film_little(layer):
     motion = replace(constant_load(HERTZ_LOAD, 2.0, 1e3), substrate=layer)
     run = integrate(motion, rings=91, tolerance=1e-6)
@@ -144,7 +144,7 @@ def test_on_a_layer_grid_and_tolerance_change_the_film_little(layer):
 
 
 def test_a_layer_pressed_to_a_depth_carries_the_dry_contact_s_load():
-    layer = Layer(0.5)
+    layer = LayerKernel(0.5)
     motion = replace(history("height", [0, 2, 5, 3000], [1.0, -0.5, -1.0, -1.0]), substrate=layer)
     run = integrate(motion, rings=91, tolerance=1e-6)
     assert run.loads[-1] == pytest.approx(dry_contact_at(layer, indentation=1.0).load, rel=0.02)
@@ -155,7 +155,7 @@ def test_barus_under_a_nearly_rigid_sphere():
     """P = −ln(1 − αq)/α with Taylor's q = V/(4h²): at half the height the viscosity has risen fivefold."""
     speed = 1e-8
     alpha = 0.8 / speed
-    motion = replace(constant_speed(speed, 1.0, 0.5 / speed), liquid=Barus(alpha))
+    motion = replace(constant_speed(speed, 1.0, 0.5 / speed), liquid=BarusLaw(alpha))
     run = integrate(motion, rings=91, tolerance=1e-8)
     for step in (0, -1):
         q = speed / (4 * (run.heights[step] + run.film.parabola) ** 2)
@@ -172,8 +172,8 @@ def test_a_thickening_liquid_drains_later(dimple):
     def film(liquid):
         return integrate(replace(dimple.motion, liquid=liquid), rings=91, tolerance=1e-6).histories(dimple.time)["film_center"]
 
-    ratios = [film(Barus(alpha)) / own - 1 for alpha in (0.01, 0.02)]
+    ratios = [film(BarusLaw(alpha)) / own - 1 for alpha in (0.01, 0.02)]
     assert np.all(ratios[0][1:] > 0)
     assert ratios[1][1:] == pytest.approx(2 * ratios[0][1:], rel=0.05)
     assert ratios[0].max() < 0.01
-    assert film(Roelands(5.0, 1.0, 1.0)) == pytest.approx(film(Barus(5.0)), rel=1e-6)
+    assert film(RoelandsLaw(5.0, 1.0, 1.0)) == pytest.approx(film(BarusLaw(5.0)), rel=1e-6)

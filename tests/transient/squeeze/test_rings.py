@@ -6,8 +6,8 @@ import pytest
 from softlube.discretization.elasticity import elastic_operator
 from softlube.discretization.grid import PolarGrid
 from softlube.model.exact import hertz_pressure
-from softlube.model.liquids import Barus, Newtonian, Roelands
-from softlube.model.substrates import HalfSpace, Layer
+from softlube.model.liquids import BarusLaw, NewtonianLaw, RoelandsLaw
+from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 from softlube.transient.squeeze.rings import SqueezeFilm
 
 GRID = PolarGrid(n_r=96, n_theta=6, layer=0.1, reach=60)
@@ -64,7 +64,7 @@ def test_height_follows_from_the_load():
 
 
 @pytest.mark.parametrize("control", ["load", "height"])
-@pytest.mark.parametrize("liquid", [Newtonian(), Barus(2.0), Roelands(2.0, 0.6, 5.0)], ids=lambda liquid: liquid.kind)
+@pytest.mark.parametrize("liquid", [NewtonianLaw(), BarusLaw(2.0), RoelandsLaw(2.0, 0.6, 5.0)], ids=lambda liquid: liquid.kind)
 def test_derivative_of_the_flux_is_exact(control, liquid):
     film = SqueezeFilm.on(GRID, control, liquid=liquid)
     r = film.grid.r[: film.n]
@@ -86,7 +86,7 @@ def test_volume_within_a_radius_grows_by_the_flux_at_its_edge(film):
     assert film.volume_weights(film.n) @ np.exp(-(film.grid.r[: film.n] ** 2)) == pytest.approx(np.pi, rel=1e-5)
 
 
-@pytest.mark.parametrize("substrate", [HalfSpace(), Layer(0.7), Layer(0.7, 0.3, "frictionless")], ids=str)
+@pytest.mark.parametrize("substrate", [HalfSpaceKernel(), LayerKernel(0.7), LayerKernel(0.7, 0.3, "frictionless")], ids=str)
 def test_rings_are_the_plane_s_first_harmonic(substrate):
     """The deflection is that of the steady solver's operator."""
     plane = elastic_operator(GRID, "none", substrate.remainder)
@@ -101,7 +101,7 @@ def test_rings_are_the_plane_s_first_harmonic(substrate):
 @pytest.mark.parametrize("alpha", [0.5, 2.0])
 def test_barus_under_a_rigid_sphere(alpha):
     """With q = (1 − e^(−αp))/α the equation is that of constant viscosity: p = −ln(1 − αq)/α with Taylor's q = V/(4h²)."""
-    film = SqueezeFilm.on(GRID, "height", liquid=Barus(alpha))
+    film = SqueezeFilm.on(GRID, "height", liquid=BarusLaw(alpha))
     h = 0.7 + film.parabola
     p = -np.log1p(-alpha * 0.3 / (4 * h**2)) / alpha
     fluidity, _ = film.liquid.fluidity(film.midpoint @ p)

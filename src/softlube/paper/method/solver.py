@@ -12,10 +12,10 @@ from softlube.discretization.fields import Fields
 from softlube.discretization.measure import measure
 from softlube.errors import InputError
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import Newtonian
+from softlube.model.liquids import NewtonianLaw
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import Quantity
-from softlube.model.substrates import HalfSpace
+from softlube.model.substrates import HalfSpaceKernel
 from softlube.paper.method.cartesian import CartesianMesh, CartesianScheme, Elasticity
 from softlube.paper.method.mesh import PaperMesh
 from softlube.paper.method.polar import PolarScheme
@@ -168,7 +168,7 @@ def _sizes(n_1: int, n_2: int, mesh_error: bool) -> list[tuple[int, int]]:
 
 
 def _checked_beta(problem: Problem) -> float:
-    if (problem.substrate, problem.liquid) != (HalfSpace(), Newtonian()):
+    if (problem.substrate, problem.liquid) != (HalfSpaceKernel(), NewtonianLaw()):
         raise InputError("method: the paper's methods know the half-space and constant viscosity only; leave it out")
     if problem.beta is None:
         raise InputError("beta_load: the paper's method fixes the sphere's height and cannot prescribe the load; give beta")

@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 from softlube.discretization.grid import RIM, PolarGrid
 from softlube.discretization.radial import radial_operators
 from softlube.discretization.reynolds import ReynoldsOperator
-from softlube.model.liquids import Liquid, Newtonian
-from softlube.model.substrates import HalfSpace, Substrate
+from softlube.model.liquids import Liquid, NewtonianLaw
+from softlube.model.substrates import HalfSpaceKernel, Substrate
 
 Array = NDArray[np.floating]
 Control = Literal["load", "height"]
@@ -91,7 +91,7 @@ class SqueezeFilm:
         """Build the equations of a grid (only its radii are used); a half-space and constant viscosity where not given."""
         grid = grid.resized(grid.n_r, ANGLES)
         n = grid.n_r
-        kernels, measure = radial_operators(grid, np.arange(1), (substrate or HalfSpace()).remainder)
+        kernels, measure = radial_operators(grid, np.arange(1), (substrate or HalfSpaceKernel()).remainder)
 
         # Beyond the last ring the pressure falls like r⁻⁴.  Its load is counted, its deflection (of order reach⁻³) is not.
         extend = np.vstack([np.eye(n), np.zeros((RIM, n))])
@@ -139,7 +139,7 @@ class SqueezeFilm:
             divergence=divergence,
             conductance=operator.conductance[0].reshape(-1, angles)[:, 0] / spin,
             cell=cell,
-            liquid=liquid or Newtonian(),
+            liquid=liquid or NewtonianLaw(),
         )
 
     @property

@@ -9,7 +9,8 @@ import softlube
 from softlube.discretization.elasticity import elastic_operator
 from softlube.discretization.grid import PolarGrid
 from softlube.model.problem import Problem
-from softlube.model.substrates import HalfSpace, Layer, compliance_defect, from_plain, to_plain
+from softlube.model.substrates import HalfSpaceKernel, LayerKernel, from_plain, to_plain
+from softlube.model.substrates.layer import compliance_defect
 from softlube.steady.ladder import solve_level
 from softlube.steady.mesh import angles_for, dry_under, grid_for, like_hertz, steepness
 
@@ -59,7 +60,7 @@ def test_long_waves():
 
 
 @pytest.mark.parametrize(("r", "source"), [(1.0, 1.01), (0.3, 0.5), (2.0, 0.02), (6.0, 5.0)])
-@pytest.mark.parametrize("layer", [Layer(1.0), Layer(0.2, 0.3), Layer(3.0, 0.5, "frictionless")])
+@pytest.mark.parametrize("layer", [LayerKernel(1.0), LayerKernel(0.2, 0.3), LayerKernel(3.0, 0.5, "frictionless")])
 def test_kernel_against_the_hankel_transform(layer, r, source):
     r, source = np.array(r), np.array(source)
     remainder = layer.ring_remainder(np.arange(12), r, source)
@@ -69,7 +70,7 @@ def test_kernel_against_the_hankel_transform(layer, r, source):
         assert remainder[m] == pytest.approx(expected, abs=2e-8 / layer.thickness)
 
 
-@pytest.mark.parametrize("layer", [Layer(0.7), Layer(0.4, 0.3), Layer(0.5, 0.0, "frictionless")])
+@pytest.mark.parametrize("layer", [LayerKernel(0.7), LayerKernel(0.4, 0.3), LayerKernel(0.5, 0.0, "frictionless")])
 def test_displacement_under_a_gaussian(layer):
     """Against w = −2π∫ C p̃ J₀(kr) dk with p̃ = e^(−k²/4)/2."""
     grid = PolarGrid(54, 8, layer=0.3)
@@ -88,7 +89,7 @@ def test_an_incompressible_layer_keeps_its_volume():
     """C ~ k³: a load far from the edge neither sinks nor lifts the layer as a whole, ∫ w dA = 0."""
     grid = PolarGrid(60, 8, layer=0.3)
     pressure = np.exp(-(np.repeat(grid.r, 9) ** 2))
-    operator = elastic_operator(grid, "none", Layer(0.5).remainder)
+    operator = elastic_operator(grid, "none", LayerKernel(0.5).remainder)
     sunk = operator.deflection(pressure)
     assert abs(operator.load_weights @ sunk) < 2e-4 * operator.load_weights @ np.abs(sunk)
 
@@ -97,13 +98,13 @@ def test_a_very_thick_layer_is_the_half_space():
     problem, thickness = Problem(beta=200.0), 1e5
     grid = grid_for(problem, 18)
     half_space = solve_level(problem, grid, None).level.values
-    layer = solve_level(Problem(beta=200.0, substrate=Layer(thickness)), grid, None).level.values
+    layer = solve_level(Problem(beta=200.0, substrate=LayerKernel(thickness)), grid, None).level.values
     for name, value in half_space.items():
         # a/t of the first order, and no more
         assert layer[name] == pytest.approx(value, rel=3e-4 if name == "shear_rate_max" else 1e-4, abs=1e-5), name
 
 
-@pytest.mark.parametrize("substrate", [Layer(0.5), Layer(1.0, 0.3), Layer(3.0, 0.5, "frictionless")])
+@pytest.mark.parametrize("substrate", [LayerKernel(0.5), LayerKernel(1.0, 0.3), LayerKernel(3.0, 0.5, "frictionless")])
 def test_errors_cover_the_change_on_a_finer_grid(substrate):
     coarse = softlube.solve(beta=100, substrate=substrate, accuracy=1e-2)
     fine = softlube.solve(beta=100, substrate=substrate, accuracy=7e-4)
@@ -132,7 +133,7 @@ FRICTION |= {(1000, 3.0): 0.326493, (1000, 1.0): 0.694816, (1000, 0.3): 2.48662}
 
 @pytest.mark.parametrize(("beta", "thickness"), FINE)
 def test_three_grids_of_a_half_spaces_size_do_for_layers(beta, thickness):
-    solution = softlube.solve(beta=beta, substrate=Layer(thickness))
+    solution = softlube.solve(beta=beta, substrate=LayerKernel(thickness))
     fine = FINE[beta, thickness] | {"shear_rate_max": SHEAR[beta, thickness], "friction_domain": FRICTION[beta, thickness]}
     for name, value in fine.items():
         allowed = 3e-3 if name in ("film_min", "shear_rate_max") else 1e-3
@@ -148,7 +149,7 @@ def test_three_grids_of_a_half_spaces_size_do_for_layers(beta, thickness):
 )
 def test_three_grids_do_by_load_and_at_other_thicknesses(control, beta, thickness):
     """0.174 and 0.476 are 0.3 radii of the dry contact; under the lightest load the sphere is hardly below the surface."""
-    arguments = {control: beta, "substrate": Layer(thickness)}
+    arguments = {control: beta, "substrate": LayerKernel(thickness)}
     solution = softlube.solve(**arguments)
     assert len(solution.levels) == 3
     problem = Problem(**arguments)
@@ -161,16 +162,16 @@ def test_three_grids_do_by_load_and_at_other_thicknesses(control, beta, thicknes
 @pytest.mark.parametrize("control", ["beta", "beta_load"])
 def test_the_boundary_layer_is_counted_from_the_dry_contact_on_the_layer(control):
     """At large β it is where the dry pressure is 5 % of its maximum, inside the edge, and a layer of β′^(−2/5) more."""
-    problem = Problem(**{control: 1e4}, substrate=Layer(0.5))
+    problem = Problem(**{control: 1e4}, substrate=LayerKernel(0.5))
     dry = dry_under(problem)
     y = np.linspace(0.5, 1, 5001)
     inside = y[np.flatnonzero(dry.pressure(dry.radius * y) > 0.05 * dry.pressure(0.0))[-1]]
-    solution = softlube.solve(**{control: 1e4}, substrate=Layer(0.5))
+    solution = softlube.solve(**{control: 1e4}, substrate=LayerKernel(0.5))
     assert -3e-4 < solution.boundary_layer / dry.radius - (inside - 1) < like_hertz(problem) ** -0.4
     unit = (solution.beta if control == "beta_load" else solution.beta_load) / problem.parameter
     other = softlube.solve(
         **{"beta" if control == "beta_load" else "beta_load": problem.parameter * float(unit)},
-        substrate=Layer(0.5).in_units(float(unit) ** 0.5),
+        substrate=LayerKernel(0.5).in_units(float(unit) ** 0.5),
     )
     assert solution.normalised("indentation" if control == "beta_load" else "load")["boundary_layer"] == pytest.approx(
         other.boundary_layer, abs=2e-4
@@ -178,14 +179,16 @@ def test_the_boundary_layer_is_counted_from_the_dry_contact_on_the_layer(control
 
 
 def test_a_mesh_follows_the_steepness_of_the_edge():
-    half_space, thick, thin = (Problem(beta=1e3, substrate=each) for each in (HalfSpace(), Layer(1e3), Layer(0.3)))
+    half_space, thick, thin = (
+        Problem(beta=1e3, substrate=each) for each in (HalfSpaceKernel(), LayerKernel(1e3), LayerKernel(0.3))
+    )
     assert (steepness(half_space), angles_for(half_space, 26)) == (0, 26)
     assert grid_for(half_space, 26).edge == 1
     assert 0 <= steepness(thick) < 1e-6
     assert grid_for(thick, 26).shape == grid_for(half_space, 26).shape
     assert 0.7 < steepness(thin) < 1
     # Under a light load the layers at the edge are wide, and the half-space's mesh does better.
-    light = Problem(beta_load=100.0, substrate=Layer(0.3))
+    light = Problem(beta_load=100.0, substrate=LayerKernel(0.3))
     assert like_hertz(light) < 300
     assert (steepness(light), angles_for(light, 26)) == (0, 26)
     assert 1 < grid_for(thin, 26).edge < 1 + like_hertz(thin) ** -0.4
@@ -193,22 +196,22 @@ def test_a_mesh_follows_the_steepness_of_the_edge():
 
 
 def test_load_and_indentation_control_agree():
-    by_depth = softlube.solve(beta=100, substrate=Layer(1.0))
+    by_depth = softlube.solve(beta=100, substrate=LayerKernel(1.0))
     unit = float(by_depth.beta_load / by_depth.beta) ** 0.5
-    by_load = softlube.solve(beta_load=by_depth.beta_load, substrate=Layer(1.0).in_units(unit))
+    by_load = softlube.solve(beta_load=by_depth.beta_load, substrate=LayerKernel(1.0).in_units(unit))
     assert by_load.height * unit == pytest.approx(-1, rel=1e-4)
     assert by_load.film_center * unit == pytest.approx(by_depth.film_center, rel=1e-3)
 
 
 def test_units_scale_the_thickness():
-    assert Layer(2.0).in_units(4.0) == Layer(1.0)
-    assert HalfSpace().in_units(4.0) == HalfSpace()
+    assert LayerKernel(2.0).in_units(4.0) == LayerKernel(1.0)
+    assert HalfSpaceKernel().in_units(4.0) == HalfSpaceKernel()
 
 
 def test_round_trip_in_plain_values():
-    for substrate in (HalfSpace(), Layer(0.3, 0.25, "frictionless")):
+    for substrate in (HalfSpaceKernel(), LayerKernel(0.3, 0.25, "frictionless")):
         assert from_plain(to_plain(substrate)) == substrate
-    assert from_plain(None) == HalfSpace()
+    assert from_plain(None) == HalfSpaceKernel()
 
 
 @pytest.mark.parametrize(
@@ -222,14 +225,14 @@ def test_round_trip_in_plain_values():
 )
 def test_bad_layers_are_refused(arguments, message):
     with pytest.raises(softlube.InputError, match=message):
-        Layer(**arguments)
+        LayerKernel(**arguments)
 
 
 def test_models_that_do_not_know_layers_refuse_them():
     from softlube import curve
     from softlube.steady.ladder import solve_problem
 
-    problem = Problem(beta=100.0, substrate=Layer(1.0))
+    problem = Problem(beta=100.0, substrate=LayerKernel(1.0))
     with pytest.raises(softlube.InputError, match="the master curve is for a half-space"):
         curve.quantities(problem)
     with pytest.raises(softlube.InputError, match="the paper's methods know the half-space"):

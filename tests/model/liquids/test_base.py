@@ -13,18 +13,18 @@ from softlube.cli.main import main
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.reynolds import ReynoldsOperator
 from softlube.discretization.system import ContactSystem
-from softlube.model.liquids import Barus, DowsonHigginson, Newtonian, Roelands, from_plain, to_plain
+from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, NewtonianLaw, RoelandsLaw, from_plain, to_plain
 from softlube.model.problem import Problem
 from softlube.readout.flow import net_flux
 from softlube.steady.ladder import solve_level
 from softlube.steady.mesh import grid_for
 from softlube.theory.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film, nijenbanning_venner_moes
 
-LAWS = [Barus(3.0), Roelands(3.0, 0.6, 0.4), DowsonHigginson(Barus(3.0), 0.6)]
+LAWS = [BarusLaw(3.0), RoelandsLaw(3.0, 0.6, 0.4), DowsonHigginsonLaw(BarusLaw(3.0), 0.6)]
 BALL = ["--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s", "--speed", "0.1 mm/s", "--load", "100 mN"]
 
 
-@pytest.mark.parametrize("law", [Newtonian(), *LAWS])
+@pytest.mark.parametrize("law", [NewtonianLaw(), *LAWS])
 def test_fluidity_is_the_inverse_of_viscosity_with_its_derivative(law):
     p = np.linspace(0, 1.5, 7)
     fluidity, slope = law.fluidity(p)
@@ -33,7 +33,7 @@ def test_fluidity_is_the_inverse_of_viscosity_with_its_derivative(law):
     assert slope == pytest.approx((law.fluidity(p + step)[0] - law.fluidity(p - step)[0]) / (2 * step), abs=1e-8)
 
 
-@pytest.mark.parametrize("law", [Newtonian(), *LAWS, Roelands(50.0, 0.68, 0.07), Roelands(1e-3, 1e-4, 0.5)])
+@pytest.mark.parametrize("law", [NewtonianLaw(), *LAWS, RoelandsLaw(50.0, 0.68, 0.07), RoelandsLaw(1e-3, 1e-4, 0.5)])
 def test_reduced_pressure_is_the_integral_of_the_fluidity(law):
     p = np.array([-0.05, 1e-9, 0.1, 0.3, 0.6])
     expected = [quad(lambda x: float(law.fluidity(np.array(x))[0]), 0, end, epsrel=1e-12, epsabs=0)[0] for end in p]
@@ -44,7 +44,7 @@ def test_reduced_pressure_is_the_integral_of_the_fluidity(law):
     assert slope == pytest.approx(law.fluidity(p)[0], rel=2e-6, abs=1e-12)
 
 
-@pytest.mark.parametrize("law", [Newtonian(), *LAWS])
+@pytest.mark.parametrize("law", [NewtonianLaw(), *LAWS])
 def test_weakened_to_nothing_is_constant_viscosity(law):
     p = np.array([0.0, 0.2, 1.0])
     assert law.weakened(0.0).viscosity(p) == pytest.approx(1)
@@ -52,7 +52,7 @@ def test_weakened_to_nothing_is_constant_viscosity(law):
     assert law.weakened(1.0) == law
 
 
-@pytest.mark.parametrize("law", [Barus(60.0), Roelands(60.0, 0.68, 0.06)])
+@pytest.mark.parametrize("law", [BarusLaw(60.0), RoelandsLaw(60.0, 0.68, 0.06)])
 def test_flux_is_the_gradient_of_the_reduced_pressure(law):
     """Under a uniform film the equation is Laplace's for q, whatever the fluidity does between two nodes (here e³⁰ in all)."""
     grid = PolarGrid(24, 10)
@@ -70,7 +70,7 @@ def test_a_solid_liquid_carries_the_film_along_to_third_order():
         grid = PolarGrid(3 * n, n, layer=0.25, side_layer=1.0)
         x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
         bump = np.exp(-((x - 0.3) ** 2) - y**2)
-        residual = ReynoldsOperator.on(grid).residual(np.full(x.size, 1.0), (2 + bump).ravel(), 1.0, Barus(200.0))
+        residual = ReynoldsOperator.on(grid).residual(np.full(x.size, 1.0), (2 + bump).ravel(), 1.0, BarusLaw(200.0))
         area = grid.r[:, None] * grid.dr_dxi(grid.r)[:, None] * grid.dtheta_ds(grid.s)
         expected = area * 2 * (x - 0.3) * bump
         within = (grid.r[: grid.n_r] > 0.3) & (grid.r[: grid.n_r] < 10)
@@ -81,7 +81,7 @@ def test_a_solid_liquid_carries_the_film_along_to_third_order():
 
 def test_a_solid_compressible_liquid_carries_its_mass_along_to_third_order():
     """The equation is ∂(ρu)/∂x = 0 then, whatever the pressures are that make the density."""
-    liquid, errors = DowsonHigginson(Barus(400.0), 0.6), []
+    liquid, errors = DowsonHigginsonLaw(BarusLaw(400.0), 0.6), []
     for n in (32, 64, 128):
         grid = PolarGrid(3 * n, n, layer=0.25, side_layer=1.0)
         x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
@@ -100,7 +100,7 @@ def test_a_solid_compressible_liquid_carries_its_mass_along_to_third_order():
 
 def test_density_of_dowson_and_higginson():
     """ρ/ρ₀ = (0.59 + 1.34 p)/(0.59 + p) with p in GPa, as published; its derivative; and never a hole under tension."""
-    law = DowsonHigginson.of(Newtonian(), 1e9)
+    law = DowsonHigginsonLaw.of(NewtonianLaw(), 1e9)
     p = np.array([0.0, 0.3, 1.1])
     assert law.density(p)[0] == pytest.approx((0.59 + 1.34 * p) / (0.59 + p))
     p, step = np.array([-0.5, 0.2, 0.9]), 1e-6
@@ -110,37 +110,37 @@ def test_density_of_dowson_and_higginson():
 
 
 def test_a_stiff_liquid_is_incompressible():
-    problem = Problem(beta=200.0, liquid=Barus(3.0))
+    problem = Problem(beta=200.0, liquid=BarusLaw(3.0))
     grid = grid_for(problem, 18)
     plain = solve_level(problem, grid, None).level.values
-    stiff = solve_level(Problem(beta=200.0, liquid=DowsonHigginson(Barus(3.0), 1e7)), grid, None).level.values
+    stiff = solve_level(Problem(beta=200.0, liquid=DowsonHigginsonLaw(BarusLaw(3.0), 1e7)), grid, None).level.values
     for name, value in plain.items():
         assert stiff[name] == pytest.approx(value, rel=1e-6, abs=1e-9), name
 
 
 def test_a_denser_liquid_makes_a_thinner_film_and_keeps_its_mass():
     """The film under the centre is thinner, but not by the whole of the density there: what comes in is denser, too."""
-    beta, liquid = 100.0, DowsonHigginson(Barus(3.0), 0.3)
-    plain, dense = (softlube.solve(beta, liquid=liquid, cavitation="none") for liquid in (Barus(3.0), liquid))
+    beta, liquid = 100.0, DowsonHigginsonLaw(BarusLaw(3.0), 0.3)
+    plain, dense = (softlube.solve(beta, liquid=liquid, cavitation="none") for liquid in (BarusLaw(3.0), liquid))
     density = float(liquid.density(np.array([dense.pressure_center]))[0][0])
     assert density > 1.1
     assert plain.film_center / density < dense.film_center < 0.95 * plain.film_center
     for radius in (0.4, 0.8, 1.5):
         assert abs(net_flux(dense, radius)) < 5e-5
         # Volume alone does not balance.
-        assert abs(net_flux(replace(dense, fields=replace(dense.fields, liquid=Barus(3.0))), radius)) > 1e-3
+        assert abs(net_flux(replace(dense, fields=replace(dense.fields, liquid=BarusLaw(3.0))), radius)) > 1e-3
 
 
 def test_roelands_starts_like_barus_and_is_it_for_z_1():
     p = np.array([1e-4, 0.3])
-    assert Roelands(3.0, 0.6, 0.4).viscosity(p[:1]) == pytest.approx(Barus(3.0).viscosity(p[:1]), rel=1e-7)
-    assert Roelands(3.0, 1.0, 0.4).viscosity(p) == pytest.approx(Barus(3.0).viscosity(p))
+    assert RoelandsLaw(3.0, 0.6, 0.4).viscosity(p[:1]) == pytest.approx(BarusLaw(3.0).viscosity(p[:1]), rel=1e-7)
+    assert RoelandsLaw(3.0, 1.0, 0.4).viscosity(p) == pytest.approx(BarusLaw(3.0).viscosity(p))
 
 
 def test_roelands_from_physical_values():
     """Ln η = ln η₀ + (ln η₀ + 9.67)[(1 + 5.1e-9 p)^z − 1], as published."""
     alpha, viscosity, pressure = 2e-8, 0.1, 5e8
-    law = Roelands.of(alpha, viscosity, 1e9)
+    law = RoelandsLaw.of(alpha, viscosity, 1e9)
     z = alpha / (5.1e-9 * (math.log(viscosity) + 9.67))
     expected = math.exp((math.log(viscosity) + 9.67) * ((1 + 5.1e-9 * pressure) ** z - 1))
     assert law.viscosity(np.array([pressure / 1e9])) == pytest.approx(expected, rel=5e-3)
@@ -174,7 +174,7 @@ def test_no_pressure_dependence_is_constant_viscosity():
     problem = Problem(beta=200.0)
     grid = grid_for(problem, 18)
     plain = solve_level(problem, grid, None).level.values
-    for law in (Barus(0.0), Barus(1e-9)):
+    for law in (BarusLaw(0.0), BarusLaw(1e-9)):
         level = solve_level(Problem(beta=200.0, liquid=law), grid, None).level.values
         for name, value in plain.items():
             assert level[name] == pytest.approx(value, rel=1e-6, abs=1e-9), name
@@ -195,7 +195,7 @@ def test_a_thickening_liquid_makes_a_thicker_film_and_more_friction():
     m, material = 20.0, 2.5
     beta_load = BETA_LOAD_OF_M * m ** (4 / 3)
     plain = softlube.solve(beta_load=beta_load)
-    thick = softlube.solve(beta_load=beta_load, liquid=Barus(float(alpha_of_moes(m, material))))
+    thick = softlube.solve(beta_load=beta_load, liquid=BarusLaw(float(alpha_of_moes(m, material))))
     assert thick.film_center > plain.film_center
     assert thick.friction_domain > 1.5 * plain.friction_domain
     # The published formula is a fit over all M and L; without pressure dependence it is as far off here.
@@ -227,9 +227,9 @@ def test_a_layer_with_barus_and_its_file(tmp_path):
 
 
 def test_round_trip_in_plain_values():
-    for law in (Newtonian(), *LAWS):
+    for law in (NewtonianLaw(), *LAWS):
         assert from_plain(to_plain(law)) == law
-    assert from_plain(None) == Newtonian()
+    assert from_plain(None) == NewtonianLaw()
 
 
 def test_the_command_says_when_it_does_not_matter(capsys):

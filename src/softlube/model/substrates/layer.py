@@ -1,31 +1,16 @@
-"""What the sphere slides over: a substrate is the kernel that turns pressure into displacement.
-
-Everything below is normalised: lengths in the plane with √(R × unit of height), so that the half-space of effective modulus
-E* = 2G/(1 − ν) has the kernel 1/ρ, in Fourier space 2π/k, Eq. (6b) with 4G → E*.  Another substrate has 2πC(k)/k, and
-
-    ∫₀^∞ C(k) J₀(kρ) dk = 1/ρ + ∫₀^∞ (C(k) − 1) J₀(kρ) dk,
-
-a half-space and a smooth remainder.  A new substrate is a new class here; nothing else in the package knows its name.
-"""
+"""An elastic layer on a rigid base."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, ClassVar, Literal, Protocol, get_args
-
-import numpy as np
-from numpy.polynomial.legendre import leggauss
-from numpy.typing import NDArray
-from scipy.fft import dct, next_fast_len
-from scipy.interpolate import CubicSpline
-from scipy.special import j0
+from typing import Any, ClassVar, Literal, get_args
 
 from softlube.errors import InputError
+from softlube.model.lazy import numpy as np
+from softlube.model.substrates.base import Array, Kernel, Orders, check_poisson_ratio
 
-Array = NDArray[np.floating]
-Orders = NDArray[np.intp]
 Base = Literal["bonded", "frictionless"]
 
 LARGEST_WAVENUMBER = 18.0
@@ -46,59 +31,8 @@ LARGEST_BATCH = 2_000_000
 """Values of the remainder held at a time."""
 
 
-class Remainder(Protocol):
-    """What a substrate's kernel has beyond the half-space's."""
-
-    @property
-    def smooth_over(self) -> float:
-        """Length over which it is smooth: the distance from the real plane up to which it is analytic."""
-        ...
-
-    def ring_remainder(self, orders: Orders, r: Array, r_source: Array) -> Array:
-        """Its harmonics, see `softlube.discretization.potentials.ring_kernels`."""
-        ...
-
-
-class Substrate(Protocol):
-    """What the solver asks of a substrate."""
-
-    kind: ClassVar[str]
-
-    def in_units(self, unit: float) -> Substrate:
-        """The same with another unit of height, given over the present one; lengths scale with its root."""
-        ...
-
-    @property
-    def remainder(self) -> Remainder | None:
-        """What its kernel has beyond the half-space's, if anything."""
-        ...
-
-    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
-        """Wavenumbers k and weights (C(k) − 1) dk of a quadrature of the remainder, good for waves seen as far as `reach`."""
-        ...
-
-
 @dataclass(frozen=True)
-class HalfSpace:
-    """The elastic half-space, the paper's substrate.  Its Poisson ratio acts through the effective modulus alone."""
-
-    kind: ClassVar[str] = "half-space"
-
-    def in_units(self, unit: float) -> HalfSpace:
-        """Itself: it has no length."""
-        return self
-
-    @property
-    def remainder(self) -> None:
-        """None."""
-
-    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
-        """Nothing: C = 1."""
-        return np.empty(0), np.empty(0)
-
-
-@dataclass(frozen=True)
-class Layer:
+class LayerKernel(Kernel):
     """An elastic layer on a rigid base.
 
     Parameters
@@ -137,7 +71,7 @@ class Layer:
         if self.base not in get_args(Base):
             raise InputError(f"base: expected 'bonded' or 'frictionless', got {self.base!r}")
 
-    def in_units(self, unit: float) -> Layer:
+    def in_units(self, unit: float) -> LayerKernel:
         """The same layer with another unit of height, given over the present one."""
         return replace(self, thickness=self.thickness / math.sqrt(unit))
 
@@ -148,7 +82,7 @@ class Layer:
         return kappa / self.thickness, weight / self.thickness
 
     @property
-    def remainder(self) -> Layer:
+    def remainder(self) -> LayerKernel:
         """Itself."""
         return self
 
@@ -163,6 +97,8 @@ class Layer:
         It is analytic up to a distance of 2t off the real plane, so the midpoint rule on the half-circle converges
         geometrically: its harmonics fall like e^(−mη), cosh η = 1 + [(r − r′)² + 4t²]/(2rr′).
         """
+        from scipy.fft import dct, next_fast_len  # slow to import, and half-spaces do without
+
         inner, outer = np.broadcast_arrays(r, r_source)
         result = np.zeros((orders.size, *inner.shape))
         whole = result.reshape(orders.size, -1)  # a view
@@ -198,14 +134,8 @@ class Layer:
         return value
 
 
-def check_poisson_ratio(value: float) -> None:
-    """Refuse a Poisson ratio outside 0 … 1/2."""
-    if not (math.isfinite(value) and 0 <= value <= 0.5):
-        raise InputError(f"poisson_ratio: expected a number between 0 and 0.5, got {value!r}")
-
-
 def compliance_defect(kappa: Array, poisson_ratio: float = 0.5, base: Base = "bonded") -> Array:
-    """C(κ) − 1 of a layer, see `Layer`, without overflow and without cancellation at large κ > 0."""
+    """C(κ) − 1 of a layer, see `LayerKernel`, without overflow and without cancellation at large κ > 0."""
     decay = np.exp(-2 * kappa)
     if base == "frictionless":
         return decay * (decay - 1 - 2 * kappa) / ((1 - decay**2) / 2 + 2 * kappa * decay)
@@ -217,7 +147,7 @@ def compliance_defect(kappa: Array, poisson_ratio: float = 0.5, base: Base = "bo
 @lru_cache(maxsize=16)
 def _spectrum(poisson_ratio: float, base: Base, panels: int) -> tuple[Array, Array]:
     """κ and (C − 1) dκ of composite Gauss quadrature."""
-    x, weight = leggauss(PANEL_POINTS)
+    x, weight = np.polynomial.legendre.leggauss(PANEL_POINTS)
     width = LARGEST_WAVENUMBER / panels
     kappa = (width * (np.arange(panels)[:, None] + (x + 1) / 2)).ravel()
     return kappa, np.tile(width * weight / 2, panels) * compliance_defect(kappa, poisson_ratio, base)
@@ -226,23 +156,10 @@ def _spectrum(poisson_ratio: float, base: Base, panels: int) -> tuple[Array, Arr
 @lru_cache(maxsize=16)
 def _remainder_table(poisson_ratio: float, base: Base) -> Array:
     """The remainder of a layer of unit thickness: coefficients of cubics, shape (4, n), in `TABLE_STEP` from each knot."""
-    kappa, weight = Layer(1.0, poisson_ratio, base).spectrum(SCREENED)
+    from scipy.interpolate import CubicSpline  # slow to import, and half-spaces do without
+    from scipy.special import j0
+
+    kappa, weight = LayerKernel(1.0, poisson_ratio, base).spectrum(SCREENED)
     s = np.arange(0, SCREENED + 2 * TABLE_STEP, TABLE_STEP)
     spline = CubicSpline(s, j0(np.outer(s, kappa)) @ weight, bc_type=EVEN)
     return spline.c * TABLE_STEP ** np.arange(3.0, -1.0, -1.0)[:, None]
-
-
-KINDS = {cls.kind: cls for cls in (HalfSpace, Layer)}
-"""Every substrate by its name in files."""
-
-
-def to_plain(substrate: Substrate) -> dict[str, Any]:
-    """A substrate in plain values, for files."""
-    return {"kind": substrate.kind} | asdict(substrate)  # type: ignore[call-overload]
-
-
-def from_plain(values: dict[str, Any] | None) -> Substrate:
-    """Inverse of `to_plain`; a half-space where nothing was written."""
-    if not values:
-        return HalfSpace()
-    return KINDS[values["kind"]](**{name: value for name, value in values.items() if name != "kind"})
