@@ -58,7 +58,7 @@ def test_a_sweep_of_failures_only_exits_3(plan):
 @pytest.mark.parametrize(
     ("content", "arguments", "fragment"),
     [
-        ("", [], "plan.toml, line 1: no [parameters]"),
+        ("", [], "plan.toml, line 1: parameters: none are given; a contact needs radius"),
         ("[parameters]\nbeta = [1, 'x']\n", [], "plan.toml, line 2: beta: expected a positive"),
         ("[parameters]\nspeed = -1\n", [], "plan.toml, line 2: speed: expected a positive"),
         ("[parameters]\nspeed = '1 mm'\n", [], "plan.toml, line 2: speed: 1 mm has the wrong dimension"),

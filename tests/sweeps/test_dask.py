@@ -52,7 +52,7 @@ def test_a_lost_connection_is_no_failure_of_the_case():
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
     ) as cluster:
-        executor = Dask(cluster.scheduler_address, ["solver"])
+        executor = Dask(cluster.scheduler_address, ["steady"])
         (lane,) = executor.lanes()
         future = executor.submit(lane, SteadyTask(Problem(beta=1000)), 1e-3, False)
         future.remote.cancel()

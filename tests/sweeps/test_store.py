@@ -11,7 +11,6 @@ from softlube.sweeps import store as store_module
 from softlube.sweeps.steady import SteadyTask
 from softlube.sweeps.store import Store
 from softlube.sweeps.tasks import Outcome
-from softlube.sweeps.work import _sources, content_key, solver_version
 
 DONE = Outcome(
     quantities={"film_min": (0.1, 1e-4), "boundary_layer": (float("nan"), float("nan"))},
@@ -95,40 +94,12 @@ def test_the_dead_claim_nothing(tmp_path):
         assert store.claim("a", **ASKED) == "ours"
 
 
-def test_the_key_is_made_of_all_that_determines_a_solution(monkeypatch):
-    key = content_key(SteadyTask(Problem(beta=10)), 1e-3)
-    assert key == content_key(SteadyTask(Problem(beta=10.0)), 1e-3)
-    others = [
-        content_key(SteadyTask(Problem(beta=11)), 1e-3),
-        content_key(SteadyTask(Problem(beta_load=10)), 1e-3),
-        content_key(SteadyTask(Problem(beta=10, cavitation="none")), 1e-3),
-        content_key(SteadyTask(Problem(beta=10)), 2e-3),
-    ]
-    monkeypatch.setattr("softlube.sweeps.work.solver_version", lambda code: "another")
-    others.append(content_key(SteadyTask(Problem(beta=10)), 1e-3))
-    assert len({key, *others}) == 6
-
-
-def test_the_version_covers_the_code_that_solves_and_no_other():
-    names = set(_sources("steady.ladder"))
-    numerics = {"solvers.newton", "discretization.system", "discretization.reynolds", "discretization.elasticity"}
-    assert numerics | {"steady.ladder", "discretization.grid", "discretization.measure", "model.problem"} <= names
-    assert not any(name.split(".")[0] in ("cli", "physical", "files", "plots", "experiments", "transient") for name in names)
-
-
-def test_the_version_of_squeeze_films_covers_theirs():
-    squeezing, sliding = set(_sources("transient.squeeze.result")), set(_sources("transient.sliding.result"))
-    rooms = {"transient.squeeze.integrate", "transient.motion", "transient.squeeze.rings", "discretization.radial"}
-    assert rooms | {"model.dry"} <= squeezing
-    assert "transient.sliding.integrate" not in squeezing  # a change there must not make squeeze films strangers
-    assert {"transient.sliding.integrate", "discretization.system", "solvers.newton"} <= sliding
-    assert not any(name.split(".")[0] in ("cli", "plots", "files") for name in squeezing | sliding)
-
-
-def test_the_version_is_the_release_and_a_digest():
-    release, digest = solver_version("steady.ladder").split("+")
-    assert release == softlube.__version__
-    assert len(digest) == 12
+def test_outcomes_of_other_code_are_counted(tmp_path):
+    with Store(tmp_path / "s") as store:
+        for key, solver in (("a", "old"), ("b", "old"), ("c", "new")):
+            store.save(key, SteadyTask(Problem(beta=10)), 1e-3, solver, DONE)
+        assert store.count_foreign({"new"}) == 2
+        assert store.count_foreign({"new", "old"}) == 0
 
 
 @pytest.mark.parametrize("content", [b"not a database, whatever it is called, but long enough to be read as one" * 3, None])

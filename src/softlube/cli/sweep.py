@@ -104,6 +104,8 @@ def _report(result: Sweep, warned: int, table: Path, store: Path, written: list[
         f"{total - result.n_found} solved now. {result.n_failed} cases failed.",
         markup=False,
     )
+    if result.n_foreign:
+        console.print(f"The store also has {result.n_foreign} outcomes of another version of softlube: kept, not used.")
     if warned:
         console.print(f"{warned} {'case has' if warned == 1 else 'cases have'} warnings; see the column warnings of the table.")
     reasons: dict[str, list[int]] = {}

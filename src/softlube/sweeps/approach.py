@@ -38,7 +38,7 @@ class SqueezeTask:
     film_limit : float
     """
 
-    code: ClassVar[str] = "transient.squeeze.result"
+    kind: ClassVar[str] = "squeeze"
     scales: ClassVar[Mapping[str, str]] = squeezing.DIMENSION | {"end_time": "time", "dimple_time": "time"}
     motion: Mapping[str, Any]
     film_limit: float
@@ -72,7 +72,7 @@ class SlidingTask:
     film_limit : float
     """
 
-    code: ClassVar[str] = "transient.sliding.result"
+    kind: ClassVar[str] = "sliding"
     scales: ClassVar[Mapping[str, str]] = sliding.KIND | {"end_time": "time"}
     motion: Mapping[str, Any]
     sliding: Mapping[str, Any]

@@ -125,11 +125,11 @@ class Dask:
     ----------
     address : str
         Of the scheduler.
-    codes : iterable of str
-        Modules that will solve; the workers must have the same.
+    kinds : iterable of str
+        Kinds of the tasks to come, see `softlube.sweeps.work.ROOMS`; the workers must solve them with the same code.
     """
 
-    def __init__(self, address: str, codes: Iterable[str]) -> None:
+    def __init__(self, address: str, kinds: Iterable[str]) -> None:
         try:
             from distributed import Client
         except ImportError:
@@ -144,8 +144,8 @@ class Dask:
             raise InputError(f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786")
         try:
             self._client.wait_for_workers(1, timeout=JOIN_TIMEOUT)
-            ours = [solver_version(code) for code in sorted(codes)]
-            versions = [version for code in sorted(codes) for version in self._client.run(solver_version, code).values()]
+            ours = [solver_version(kind) for kind in sorted(kinds)]
+            versions = [version for kind in sorted(kinds) for version in self._client.run(solver_version, kind).values()]
         except TimeoutError:
             self._client.close()
             raise InputError(f"scheduler: {address!r} has no worker") from None

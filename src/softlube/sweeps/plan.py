@@ -69,7 +69,7 @@ def make_plan(
     Raises
     ------
     InputError
-        If a value is no such thing, the zipped lengths differ, or a case describes no contact.
+        If a value is no such thing, the zipped lengths differ, or the values of a case do not go together.
     """
     kind = _kind(motion, folder)
     if combine not in COMBINATIONS:
@@ -143,8 +143,6 @@ def read_plan(path: str | os.PathLike[str]) -> Plan:
         if name not in SETTINGS:
             place = f"{path.name}, line {_line_of(text, name)}"
             raise InputError(f"{place}: {name!r} is no setting; expected one of {', '.join(SETTINGS)}")
-    if not parameters:
-        raise InputError(f"{path.name}, line 1: no [parameters]; a contact needs radius, viscosity, …, or beta")
     try:
         plan = make_plan(parameters, **settings, folder=path.parent)
     except InputError as error:

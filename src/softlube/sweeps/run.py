@@ -17,7 +17,7 @@ from softlube.sweeps.executors import Dask, Executor, Local, WorkerDied
 from softlube.sweeps.plan import Plan, make_plan, read_plan
 from softlube.sweeps.store import LEASE, Store
 from softlube.sweeps.tasks import Outcome, Task
-from softlube.sweeps.work import content_key, solver_version
+from softlube.sweeps.work import ROOMS, content_key, solver_version
 
 if TYPE_CHECKING:
     import pandas
@@ -41,12 +41,15 @@ class Sweep:
         By key.
     n_found : int
         Number of outcomes that were in the store at the start.
+    n_foreign : int
+        Number of outcomes in the store that came of other code, an older version for instance: kept, and not used.
     """
 
     plan: Plan
     keys: tuple[str, ...]
     outcomes: Mapping[str, Outcome]
     n_found: int
+    n_foreign: int = 0
 
     @property
     def n_failed(self) -> int:
@@ -175,14 +178,15 @@ def sweep(
     keys = [content_key(task, plan.accuracy) for task in each]
     tasks: dict[str, Task] = dict(zip(keys, each, strict=True))
     # Before the store: what is refused leaves no file behind.
-    executor: Executor = Local(workers) if scheduler is None else Dask(scheduler, {task.code for task in tasks.values()})
+    executor: Executor = Local(workers) if scheduler is None else Dask(scheduler, {task.kind for task in tasks.values()})
     finished = False
     try:
         with Store(":memory:" if store is None else store) as kept:
             run = _Run(plan.accuracy, tasks, kept, fields, retry_failed, progress)
             run.go(executor)
             finished = True
-            return Sweep(plan, tuple(keys), kept.outcomes(tasks, fields=fields), run.found)
+            foreign = kept.count_foreign({solver_version(kind) for kind in ROOMS})
+            return Sweep(plan, tuple(keys), kept.outcomes(tasks, fields=fields), run.found, foreign)
     finally:
         executor.close(wait=finished)
 
@@ -283,7 +287,7 @@ class _Run:
                 return
             outcome = Outcome(f"the process that solved it died {MOST_DEATHS} times ({error})")
         task = self.tasks[key]
-        self.store.save(key, task, self.accuracy, solver_version(task.code), outcome)
+        self.store.save(key, task, self.accuracy, solver_version(task.kind), outcome)
         self.done += 1
         self.failed += outcome.failed
         self._report()

@@ -47,7 +47,7 @@ class SteadyTask:
     problem : Problem
     """
 
-    code: ClassVar[str] = "steady.ladder"
+    kind: ClassVar[str] = "steady"
     problem: Problem
 
     @property

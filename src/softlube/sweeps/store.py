@@ -190,6 +190,11 @@ class Store:
             connection.execute("ROLLBACK")
             raise
 
+    def count_foreign(self, solvers: Iterable[str]) -> int:
+        """How many outcomes came of none of these versions of the code."""
+        rows = self._connection.execute("SELECT solver, count(*) FROM outcomes GROUP BY solver")
+        return sum(count for solver, count in rows if solver not in set(solvers))
+
     def counts(self) -> dict[str, int]:
         """How often each key was solved, over the life of the store."""
         return dict(self._connection.execute("SELECT key, count(*) FROM log GROUP BY key"))

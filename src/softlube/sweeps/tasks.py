@@ -42,8 +42,8 @@ class Outcome:
 class Task(Protocol):
     """Something to solve, in numbers only; cases that differ in nothing else share it.  Goes to the workers."""
 
-    code: ClassVar[str]
-    """Module of this package that solves it: what it imports decides on the numbers."""
+    kind: ClassVar[str]
+    """Key of `softlube.sweeps.work.ROOMS`, which says what code decides on the numbers."""
 
     @property
     def place(self) -> tuple[float, ...]:

@@ -5,52 +5,71 @@ from __future__ import annotations
 import ast
 import hashlib
 import json
+from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 from softlube.errors import SoftlubeError
 from softlube.sweeps.tasks import Outcome, Task
 
-NO_SAY = ("cli", "files", "paper", "physical.contact", "plots", "sweeps")
-"""Modules and packages that the code of a task can reach and that have no say in its numbers."""
+NUMERICS = ("model/**/*.py", "solvers/**/*.py", "discretization/**/*.py")
+STEADY = (*NUMERICS, "steady/**/*.py")
+ROOMS: Mapping[str, tuple[str, ...]] = {
+    "steady": STEADY,
+    "squeeze": (*NUMERICS, "transient/*.py", "transient/squeeze/*.py"),
+    "sliding": (*STEADY, "transient/**/*.py"),
+}
+"""Files of this package that decide on the numbers of each kind of task: whole folders, so that no new module is missed."""
+
+
+def package_folder() -> Path:
+    """Where the modules of this package are."""
+    return Path(str(files("softlube")))
 
 
 @cache
-def solver_version(code: str) -> str:
-    """Release and a digest of the code that solves, a module with all its imports: another one's results are not ours."""
+def solver_version(kind: str) -> str:
+    """Release, and a digest of the code that solves a kind of task: results of other code are not taken for its own.
+
+    Comments, docstrings and the layout of the text do not count, nor does the version of Python.
+
+    Parameters
+    ----------
+    kind : str
+        A key of `ROOMS`.
+    """
     from softlube import __version__
 
+    folder = package_folder()
     digest = hashlib.sha256()
-    for name, source in sorted(_sources(code).items()):
-        digest.update(name.encode() + b"\0" + source + b"\0")
+    for path in sorted({path for pattern in ROOMS[kind] for path in folder.glob(pattern)}):
+        digest.update(repr((path.relative_to(folder).as_posix(), _meaning(ast.parse(path.read_bytes())))).encode())
     return f"{__version__}+{digest.hexdigest()[:12]}"
 
 
-def _sources(start: str) -> dict[str, bytes]:
-    """Source of a module of this package and of all those of the package that it imports, directly or not."""
-    found: dict[str, bytes] = {}
-    waiting = [start]
-    while waiting:
-        name = waiting.pop()
-        path = Path(str(files("softlube"))).joinpath(*name.split("."))
-        path = path / "__init__.py" if path.is_dir() else path.parent / f"{path.name}.py"
-        if name in found or any(f"{name}.".startswith(f"{none}.") for none in NO_SAY) or not path.is_file():
-            continue
-        found[name] = path.read_bytes()
-        for node in ast.walk(ast.parse(found[name])):
-            if isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] == "softlube":
-                inner = node.module.split(".")[1:]
-                waiting += [".".join(inner)] if inner else []
-                waiting += [".".join([*inner, item.name]) for item in node.names]
-            elif isinstance(node, ast.Import):
-                waiting += [item.name.removeprefix("softlube.") for item in node.names if item.name.startswith("softlube.")]
-    return found
+def _meaning(node: Any) -> Any:
+    """A syntax tree as nested tuples, without strings that stand alone and without fields that are empty.
+
+    `ast.dump` would do but for its differences between versions of Python, which are in the empty fields.
+    """
+    if isinstance(node, ast.AST):
+        fields = ((name, _meaning(value)) for name, value in ast.iter_fields(node) if value not in (None, []))
+        return type(node).__name__, *fields
+    if isinstance(node, list):
+        return tuple(_meaning(item) for item in node if not _stands_alone(item))
+    return node
+
+
+def _stands_alone(node: Any) -> bool:
+    """Whether a statement is nothing but a string: a docstring."""
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
 
 
 def content_key(task: Task, accuracy: float) -> str:
     """Digest of all that determines a solution: task, accuracy and solver."""
-    content = {"problem": task.to_plain(), "accuracy": accuracy, "solver": solver_version(task.code)}
+    content = {"problem": task.to_plain(), "accuracy": accuracy, "solver": solver_version(task.kind)}
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
 
 
