@@ -6,7 +6,7 @@ import pytest
 
 import softlube
 from softlube import Rig
-from softlube.physical.rig import hertz_force, surface_speeds
+from softlube.physical.rig import hertz_force
 
 SOFT = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s"}
 LOAD = {"load": "100 mN", "entrainment_speed": "0.05 mm/s"}
@@ -57,12 +57,6 @@ def test_equal_bodies():
 
 def test_the_paper_s_pair_has_four_times_g():
     assert Rig(**SOFT).reduced_modulus == pytest.approx(4 * 1e6)
-
-
-def test_surface_speeds():
-    assert surface_speeds(0.05, 2.0) == (0.1, 0.0)
-    assert surface_speeds(0.05, 0.0) == (0.05, 0.05)
-    assert surface_speeds(0.05, -2.0) == (0.0, 0.1)
 
 
 def test_hersey_number_and_unit_of_friction():

@@ -6,12 +6,12 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import asdict
+from importlib.metadata import version
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from softlube import __version__
 from softlube.discretization.fields import Chart, Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.measure import DESCRIPTION
@@ -73,7 +73,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     chart = fields.chart
     attributes = {
         "title": "Lubricated sliding of a rigid sphere on an elastic half-space",
-        "softlube_version": __version__,
+        "softlube_version": version("softlube"),
         "method": solution.method,
         "converged": int(solution.converged),
         "beta": solution.beta,

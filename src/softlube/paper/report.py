@@ -104,9 +104,10 @@ def write_report(path: Path, sections: Sequence[Section], laws: Sequence[Law], c
     seconds : float
         How long it all took.
     """
+    from importlib.metadata import version
+
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
-    from softlube import __version__
     from softlube.files.writing import whole_file
 
     environment = Environment(
@@ -115,7 +116,13 @@ def write_report(path: Path, sections: Sequence[Section], laws: Sequence[Law], c
     environment.filters |= {"embedded": _embedded, "number": number}
     counts = {verdict: sum(s.verdict == verdict for section in sections for s in section.statements) for verdict in VERDICTS}
     page = environment.get_template("report.html.jinja").render(
-        sections=sections, laws=laws, cases=cases, seconds=seconds, version=__version__, verdicts=VERDICTS, counts=counts
+        sections=sections,
+        laws=laws,
+        cases=cases,
+        seconds=seconds,
+        version=version("softlube"),
+        verdicts=VERDICTS,
+        counts=counts,
     )
     with whole_file(path) as temporary:
         temporary.write_text(page, encoding="utf-8")

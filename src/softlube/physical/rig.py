@@ -122,11 +122,6 @@ class Rig:
         return self.viscosity * entrainment_speed * self.reduced_radius / load
 
 
-def surface_speeds(entrainment_speed: float, slide_to_roll: float) -> tuple[float, float]:
-    """Speeds of ball and substrate, U(1 ± S/2), of entrainment speed U and slide-to-roll ratio S = (v₁ − v₂)/U."""
-    return entrainment_speed * (1 + slide_to_roll / 2), entrainment_speed * (1 - slide_to_roll / 2)
-
-
 def hertz_force(contact: Contact) -> float:
     """Unit of a friction under load control, (2π/3) G δ² with the Hertz indentation δ of the load, Eq. (26) [N]."""
     return 2 * math.pi / 3 * contact.shear_modulus * contact.unit_height**2

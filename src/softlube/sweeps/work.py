@@ -7,6 +7,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from functools import cache
+from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -40,13 +41,11 @@ def solver_version(kind: str) -> str:
     kind : str
         A key of `ROOMS`.
     """
-    from softlube import __version__
-
     folder = package_folder()
     digest = hashlib.sha256()
     for path in sorted({path for pattern in ROOMS[kind] for path in folder.glob(pattern)}):
         digest.update(repr((path.relative_to(folder).as_posix(), _meaning(ast.parse(path.read_bytes())))).encode())
-    return f"{__version__}+{digest.hexdigest()[:12]}"
+    return f"{version('softlube')}+{digest.hexdigest()[:12]}"
 
 
 def _meaning(node: Any) -> Any:

@@ -281,35 +281,3 @@ def friction_reading(
         beta, friction = beta_load, friction * beta / beta_load
     law = fit(beta, friction)
     return FrictionReading(cutoff, by_load, law, float(np.max(np.abs(friction / FRICTION(beta) - 1))))
-
-
-def holds_within(law: PaperLaw, tolerance: float, between: tuple[float, float] = (1e-2, 1e8)) -> list[tuple[float, float]]:
-    """Ranges of β in which a law of the paper is as near to the master curve as asked.
-
-    Parameters
-    ----------
-    law : PaperLaw
-        One of `LAWS`.
-    tolerance : float
-        Largest |law/ours − 1|.
-    between : tuple of float
-        Where to look.
-
-    Returns
-    -------
-    list of tuple of float
-        Ends of the ranges, increasing; to about 0.5 %.
-
-    Examples
-    --------
-    >>> low, high = holds_within(FILM_CENTER, 0.05)[0]
-    >>> low < 1 and high > 2e5
-    True
-    """
-    from softlube.theory.master_curve import evaluate
-
-    beta = np.geomspace(*between, 1 + int(200 * np.log10(between[1] / between[0])))
-    ours = evaluate(law.quantity, beta)[0] / law.unit
-    near = np.concatenate([[False], np.abs(law(beta) / ours - 1) <= tolerance, [False]])
-    starts, ends = (np.flatnonzero(np.diff(near.astype(int)) == sign) for sign in (1, -1))
-    return [(float(beta[start]), float(beta[end - 1])) for start, end in zip(starts, ends, strict=True)]

@@ -38,7 +38,6 @@ from softlube.theory.scaling import (
     GRADIENT,
     PAPER_RANGE,
     Comparison,
-    PaperLaw,
     asymptote,
     compare,
     fit,
@@ -297,12 +296,6 @@ def experiments(solutions: Solutions, data: Path | None = None) -> Drawn:
     ax.set(xlabel=r"$\beta$ by the load (30)", ylabel=r"friction $F\,/\,(2\pi/3)\,G\delta^2$")
     ax.legend(frameon=False, loc="lower left")
     return Drawn(figure, tables, statements)
-
-
-def all_laws(solutions: Solutions) -> list[tuple[PaperLaw, Comparison]]:
-    """Every law beside our fit, for the report's first table."""
-    ours = chosen(solutions, WIDE)
-    return [(law, compare(ours, law)) for law in (GRADIENT, BOUNDARY_LAYER, FILM_CENTER, FILM_MIN, FRICTION)]
 
 
 _WIDE = tuple(Case(beta) for beta in WIDE)
