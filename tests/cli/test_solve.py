@@ -159,17 +159,3 @@ def test_no_convergence_exits_3_and_writes_nothing(capsys, tmp_path):
     assert "outside the range" in captured.err
     assert captured.out == ""
     assert list(tmp_path.iterdir()) == []
-
-
-def test_unknown_command_exits_2(capsys):
-    assert main(["slove"]) == 2
-    assert "solve" in capsys.readouterr().err
-
-
-def test_help_and_version(capsys):
-    assert main(["--version"]) == 0
-    assert softlube.__version__ in capsys.readouterr().out
-    assert main(["solve", "--help"]) == 0
-    out = capsys.readouterr().out
-    assert "--young-modulus" in out
-    assert "2 mm" in out
