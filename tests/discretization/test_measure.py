@@ -131,11 +131,3 @@ def test_a_region_beyond_the_grid_is_refused():
         quantities.friction_within(at, 1000.0)
     with pytest.raises(ValueError, match="r: the solution reaches"):
         at.film_at(1000.0, 0.0)
-
-
-def test_fields_are_even_and_periodic():
-    at = fields(GAUSSIAN, 1 + X**2 + Y**2 + 0.1 * X)
-    for angle in (0.3, 2.0):
-        values = [float(at.film_at(0.7, a)) for a in (angle, -angle, angle + 2 * np.pi, 2 * np.pi - angle)]
-        assert values == pytest.approx([values[0]] * 4, rel=1e-12)
-        assert values[0] == pytest.approx(1 + 0.49 + 0.07 * np.cos(angle), rel=1e-5)

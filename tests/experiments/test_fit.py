@@ -5,38 +5,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy import stats
 
 import softlube
-from softlube import Measurements, fit
-from softlube.experiments.friction_model import make_model
+from softlube import fit
 
 KNOWN = {"radius": "2 mm", "young_modulus": "3 MPa"}
 VISCOSITY = 2.0
 
 
-@pytest.fixture(scope="session")
-def clean():
-    """72 combinations of load and speed as in the paper's section 3.5 with their friction, without noise, in SI."""
-    load, speed = (grid.ravel() for grid in np.meshgrid(np.geomspace(18.6e-3, 238.1e-3, 6), np.geomspace(2.5e-5, 1e-3, 12)))
-    data = Measurements.from_arrays(load, speed, np.ones(load.size))
-    model = make_model(data, **KNOWN, viscosity=VISCOSITY)
-    values = {"viscosity": VISCOSITY, "young_modulus": 3e6, "friction_offset": 0.0}
-    return replace(data, friction=model.cover(values, 2.0, None).friction(values))
-
-
 def noisy(data, seed, noise=0.05):
     return replace(data, friction=data.friction * np.exp(noise * np.random.default_rng(seed).standard_normal(len(data))))
-
-
-def test_the_model_is_the_friction_of_a_solved_contact(clean):
-    """The link between a fit and a solution, for a row whose β is no node of the curve."""
-    row = 30
-    solution = softlube.Contact(**KNOWN, viscosity=VISCOSITY, speed=clean.speed[row], load=clean.load[row]).solve()
-    radius = math.sqrt(2e-3 * solution.contact.unit_height)
-    within = solution.friction_within(2 * radius / solution.dimensional["contact_radius"])
-    friction = within / solution.friction_domain * solution.dimensional["friction_domain"]
-    assert clean.friction[row] == pytest.approx(friction, rel=1e-3)
 
 
 def test_without_noise_the_parameters_come_back(clean):
@@ -100,28 +78,6 @@ def test_an_offset_is_found(clean):
     assert found.trend[1] > 0.01
 
 
-def test_the_profile_of_a_linear_model_is_student_s_interval(clean):
-    """With absolute noise and the offset alone free the model is a mean, whose interval is in every textbook."""
-    random = np.random.default_rng(5)
-    data = replace(clean, friction=clean.friction + 1e-5 * random.standard_normal(len(clean)))
-    found = fit(data, **KNOWN, viscosity=VISCOSITY, free=("offset",), noise="absolute")
-    differences = data.friction - clean.friction
-    half = stats.t.ppf(0.975, 71) * differences.std(ddof=1) / math.sqrt(72)
-    estimate = found.estimates["friction_offset"]
-    assert estimate.value == pytest.approx(differences.mean(), abs=1e-3 * half)
-    assert estimate.low == pytest.approx(differences.mean() - half, abs=1e-2 * half)
-    assert estimate.high == pytest.approx(differences.mean() + half, abs=1e-2 * half)
-
-
-def test_the_bootstrap_agrees_with_the_profile(clean):
-    data = noisy(clean, 11)
-    profile, bootstrap = (
-        fit(data, **KNOWN, interval=kind, compare=False).estimates["viscosity"] for kind in ("profile", "bootstrap")
-    )
-    assert bootstrap.value == profile.value
-    assert (bootstrap.high - bootstrap.low) == pytest.approx(profile.high - profile.low, rel=0.35)
-
-
 def test_outliers_hardly_count_in_a_robust_fit(clean):
     data = noisy(clean, 2, 0.03)
     friction = data.friction.copy()
@@ -138,38 +94,12 @@ def test_outliers_hardly_count_in_a_robust_fit(clean):
     assert math.log(widths[0]) < 0.3 * math.log(widths[1])
 
 
-def test_rows_left_out_are_predicted_or_not(clean):
-    data = noisy(clean, 1)
-    good = fit(data, **KNOWN, hold_out=0.25, seed=4, compare=False)
-    assert len(good.hold_out.lines) == 18
-    assert len(good.model.data) == 54
-    assert not set(good.hold_out.lines) & set(good.model.data.lines.tolist())
-    assert good.hold_out.probability > 0.01
-    assert good.hold_out.covered > 0.8
-    friction = data.friction.copy()
-    friction[np.array(good.hold_out.lines) - 1] *= 1.3
-    bad = fit(replace(data, friction=friction), **KNOWN, hold_out=0.25, seed=4, compare=False)
-    assert bad.hold_out.lines == good.hold_out.lines
-    assert bad.hold_out.probability < 1e-6
-    assert any("worse than those fitted" in text for text in bad.verdicts)
-
-
 def test_the_viscosity_depends_on_which_friction_was_measured(clean):
     """Less friction a viscosity makes over a smaller region, so the more viscosity it takes for the same friction."""
     found = fit(noisy(clean, 0, 0.01), **KNOWN, viscosity="2 Pa s")
     assert found.others["sphere", 1.0] > 1.1 * VISCOSITY
     assert found.others["sphere", 5.0] < VISCOSITY
     assert found.others["total", 1.0] < found.others["sphere", 1.0]
-
-
-def test_speeds_of_both_surfaces(clean):
-    """Half the sliding at the same entrainment: half the Couette part at the same β."""
-    half = replace(clean, slide_to_roll=np.ones(len(clean)))
-    model = make_model(half, **KNOWN, viscosity=VISCOSITY, force="couette")
-    values = {"viscosity": VISCOSITY, "young_modulus": 3e6, "friction_offset": 0.0}
-    master = model.cover(values, 2.0, None)
-    whole = replace(master, data=clean)
-    np.testing.assert_allclose(master.friction(values), whole.friction(values) / 2, rtol=1e-12)
 
 
 def test_a_picture(clean, tmp_path):
@@ -201,15 +131,6 @@ def test_a_picture(clean, tmp_path):
 def test_bad_input(clean, options, message):
     with pytest.raises(softlube.InputError, match=message):
         fit(clean, **KNOWN | options)
-
-
-def test_too_few_rows_and_friction_that_is_not_positive(clean):
-    with pytest.raises(softlube.InputError, match="2 rows are too few"):
-        fit(clean.take(np.arange(2)), **KNOWN)
-    negative = replace(clean, friction=np.where(np.arange(72) == 3, -1e-5, clean.friction))
-    with pytest.raises(softlube.InputError, match="line 4: the friction is not positive"):
-        fit(negative, **KNOWN)
-    assert fit(negative, **KNOWN, noise="absolute", compare=False).values["viscosity"] == pytest.approx(VISCOSITY, rel=0.05)
 
 
 def test_what_leads_beyond_the_solver_is_refused_with_the_line(clean):

@@ -8,7 +8,6 @@ import pytest
 import xarray as xr
 
 import softlube
-from softlube.files.writing import whole_file
 
 
 def test_round_trip(physical, tmp_path):
@@ -109,21 +108,6 @@ def test_xarray_opens_the_file(physical, tmp_path):
         assert float(abs(data.film + data.displacement - data.attrs["height"] - data.r**2 / 2).max()) < 1e-11
         # … and w is Hertz's at the centre but for the film
         assert float(data.displacement[0].mean()) == pytest.approx(-1, abs=0.01)
-
-
-def test_a_failed_write_leaves_the_old_file(tmp_path):
-    path = tmp_path / "a.nc"
-    path.write_text("old")
-
-    def fail_midway():
-        with whole_file(path) as temporary:
-            temporary.write_text("half")
-            raise RuntimeError("midway")
-
-    with pytest.raises(RuntimeError, match="midway"):
-        fail_midway()
-    assert path.read_text() == "old"
-    assert list(tmp_path.iterdir()) == [path]
 
 
 def test_missing_folder_and_folder_as_file(solution, tmp_path):

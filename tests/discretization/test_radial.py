@@ -1,0 +1,47 @@
+"""Product integration along r: a closed form, orders that are interpolated, remainders that are sampled."""
+
+import numpy as np
+import pytest
+
+from softlube.discretization.elasticity import elastic_operator
+from softlube.discretization.grid import PolarGrid
+from softlube.discretization.radial import radial_operators, sampled_orders
+from softlube.model.substrates import LayerKernel
+
+
+def test_orders_left_out_are_interpolated():
+    """Quintic in m, against kernels that are all computed; near the centre there is no pressure of such orders."""
+    grid = PolarGrid(40, 20, layer=0.05, side_layer=0.07, crowding=1.5)
+    operator = elastic_operator(grid, "none")
+    n_modes = operator.analysis.shape[0]
+    exact, _ = radial_operators(grid, np.arange(n_modes))
+    orders, weights = sampled_orders(n_modes)
+    assert orders.size < 0.7 * n_modes
+    assert weights.sum(axis=1) == pytest.approx(1, abs=1e-12)
+    n_low = len(operator.radial)
+    assert operator.radial == pytest.approx(exact[:n_low], rel=1e-12, abs=1e-12)
+    for m in range(n_low, n_modes):
+        own = np.abs(exact[m, 4:, 4:]).sum(axis=1)
+        assert np.all(np.abs(operator.radial_high[m - n_low, 4:, 4:] - exact[m, 4:, 4:]).sum(axis=1) < 6e-5 * own), m
+
+
+@pytest.mark.parametrize("thickness", [0.15, 0.6, 3.0])
+def test_a_remainder_is_sampled_finely_enough(thickness):
+    """Against the same remainder on every point of every element, near ones graded."""
+    grid, layer, orders = PolarGrid(40, 12, layer=0.05), LayerKernel(thickness), np.arange(9)
+
+    class Rough:
+        smooth_over = 1e-9  # all elements are long to it
+        ring_remainder = staticmethod(layer.ring_remainder)
+
+    half_space, _ = radial_operators(grid, orders)
+    ours, plain = (radial_operators(grid, orders, each)[0] - half_space for each in (layer, Rough()))
+    pressure = np.sqrt(np.maximum(1 - grid.r**2, 0)) + grid.r**-3 * (grid.r > 1)
+    assert ours @ pressure == pytest.approx(plain @ pressure, abs=2e-6 * np.max(np.abs(plain @ pressure)))
+
+
+def test_operator_shapes():
+    grid = PolarGrid(12, 8)
+    kernels, weights = radial_operators(grid, np.arange(5))
+    assert kernels.shape == (5, *[grid.shape[0]] * 2)
+    assert weights.shape == (grid.shape[0],)
