@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.special import ive
 
 from softlube.discretization.elasticity import elastic_operator
 from softlube.discretization.grid import PolarGrid
@@ -45,3 +46,28 @@ def test_operator_shapes():
     kernels, weights = radial_operators(grid, np.arange(5))
     assert kernels.shape == (5, *[grid.shape[0]] * 2)
     assert weights.shape == (grid.shape[0],)
+
+
+def test_the_displacement_under_a_gaussian_in_closed_form():
+    """∫ e^{−r′²} k₀ r′ dr′ = π^{3/2} e^{−r²/2} I₀(r²/2), and ∫ e^{−r²} r dr = 1/2."""
+    grid = PolarGrid(60, 8, layer=0.3)
+    kernels, weights = radial_operators(grid, np.arange(1))
+    pressure = np.exp(-(grid.r**2))
+    inner = grid.r < 5
+    exact = np.pi**1.5 * ive(0, grid.r**2 / 2)
+    assert (kernels[0] @ pressure)[inner] == pytest.approx(exact[inner], rel=2e-6)
+    assert weights @ pressure == pytest.approx(0.5, rel=1e-6)
+
+
+def test_few_orders_are_all_computed():
+    orders, weights = sampled_orders(20)
+    assert orders.tolist() == list(range(20))
+    assert weights == pytest.approx(np.eye(20), abs=1e-14)
+
+
+def test_orders_that_are_taken_get_their_own_kernels():
+    orders, weights = sampled_orders(200)
+    assert orders[-1] >= 199
+    assert np.all(orders[orders > 24] % 2 == 0)
+    taken = orders[orders < 200]
+    assert weights[taken] == pytest.approx(np.eye(orders.size)[: taken.size], abs=1e-13)

@@ -8,6 +8,8 @@ import pytest
 from scipy import stats
 
 from softlube import fit
+from softlube.experiments.friction_model import make_model, solve_model
+from softlube.experiments.intervals import Estimate, bootstrap, profile
 
 KNOWN = {"radius": "2 mm", "young_modulus": "3 MPa"}
 
@@ -39,3 +41,42 @@ def test_the_bootstrap_agrees_with_the_profile(clean):
     )
     assert bootstrap.value == profile.value
     assert (bootstrap.high - bootstrap.low) == pytest.approx(profile.high - profile.low, rel=0.35)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "unit", "determined"),
+    [
+        (1.0, 1.9, "Pa s", True),
+        (1.0, 2.1, "Pa s", False),
+        (0.0, 1.0, "Pa s", False),
+        (0.0, math.inf, "Pa s", False),
+        (1.0, math.inf, "Pa", False),
+        (-1e-5, 3e-5, "N", True),
+        (1e-6, 9e-5, "N", True),
+        (-math.inf, 3e-5, "N", False),
+    ],
+)
+def test_what_counts_as_determined(low, high, unit, determined):
+    assert Estimate(1.0, low, high, unit).determined is determined
+
+
+def test_the_ends_of_a_profile_are_where_the_sum_of_squares_is(clean):
+    model, optimum = solve_model(make_model(noisy(clean, 4), **KNOWN), 2.0)
+    estimate = profile(model, optimum, "viscosity", 0.9)
+    level = optimum.sum_of_squares * (1 + stats.t.ppf(0.95, 71) ** 2 / 71)
+    for end in (estimate.low, estimate.high):
+        residuals = model.residuals(model.fixed | {"viscosity": end})
+        assert residuals @ residuals == pytest.approx(level, rel=1e-4)
+    wider = profile(model, optimum, "viscosity", 0.99)
+    assert wider.low < estimate.low < estimate.value < estimate.high < wider.high
+
+
+def test_a_bootstrap_tells_its_progress(clean):
+    model, optimum = solve_model(make_model(noisy(clean, 4), **KNOWN), 2.0)
+    seen = []
+    estimates, covariance = bootstrap(model, optimum, 0.95, np.random.default_rng(0), False, seen.append)
+    assert [(news.done, news.total) for news in seen[:2]] == [(0, 400), (20, 400)]
+    assert covariance.shape == (1, 1)
+    # The interval of a single parameter, in logarithm, is about four of its standard deviations.
+    width = math.log(estimates["viscosity"].high / estimates["viscosity"].low)
+    assert width == pytest.approx(2 * 1.96 * math.sqrt(covariance[0, 0]), rel=0.15)

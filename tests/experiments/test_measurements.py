@@ -134,3 +134,21 @@ def test_negative_friction_is_a_number(tmp_path):
 def test_arrays_are_checked(load, speed, friction, message):
     with pytest.raises(InputError, match=message):
         Measurements.from_arrays(load, speed, friction)
+
+
+def test_rows_that_are_taken_keep_their_lines():
+    data = Measurements.from_arrays([1, 2, 3], [1e-3, 2e-3, 3e-3], [0.1, -0.2, 0.3], slide_to_roll=0.5)
+    assert len(data) == 3
+    some = data.take(np.array([2, 0, 0]))
+    assert some.load.tolist() == [3, 1, 1]
+    assert some.friction.tolist() == [0.3, 0.1, 0.1]
+    assert some.lines.tolist() == [3, 1, 1]
+    assert some.slide_to_roll.tolist() == [0.5] * 3
+
+
+def test_the_ratio_of_sliding_to_rolling_is_a_column_or_the_same_for_all(tmp_path):
+    assert read_measurements(write(tmp_path, HEADER + ROWS), slide_to_roll=1.5).slide_to_roll.tolist() == [1.5, 1.5]
+    header = "load [mN], entrainment_speed [mm/s], slide_to_roll, friction [mN]\n"
+    data = read_measurements(write(tmp_path, header + "100, 0.1, 0.2, 0.45\n200, 0.2, 2, 0.90\n"), slide_to_roll=1.5)
+    assert data.slide_to_roll.tolist() == [0.2, 2.0]
+    assert data.speed == pytest.approx([2e-4, 4e-4])  # the sum of both surfaces' speeds

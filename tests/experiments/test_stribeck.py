@@ -5,8 +5,6 @@ import pytest
 
 import softlube
 from softlube import Rig, stribeck_curve
-from softlube.discretization.measure import integrate
-from softlube.experiments.load_curve import _node, _solution, curve
 
 RIG = Rig(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s")
 RANGE = {"slowest": "50 um/s", "fastest": "5 mm/s"}
@@ -58,28 +56,6 @@ def test_pure_rolling_has_no_couette_friction():
     assert (rolling["total"]["friction [N]"] > 0).all()
 
 
-def test_the_poiseuille_part_is_the_moment_of_the_pressure(solution):
-    """∫ u ∂p/∂x dA = −∫ p ∂u/∂x dA + boundary, and ∫ p ∂w/∂x dA = 0 for an elastic half-space: so only ∫ p x dA is left.
-
-    This is what makes C − P the whole horizontal force.
-    """
-    fields = solution.fields
-    reach = 0.8 * fields.r[-1]
-    part = integrate(fields, lambda xi, s: 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0], reach)
-    moment = integrate(
-        fields,
-        lambda xi, s: (
-            3 * fields.pressure_spline(xi, s) * fields.chart.r_of(xi)[:, None] * np.cos(fields.chart.theta_of(s))[None, :]
-        ),
-        reach,
-    )
-    angle = np.linspace(0, np.pi, 2001)
-    rim = fields.film_at(reach, angle) * fields.pressure_at(reach, angle) * np.cos(angle) * reach
-    boundary = 3 * 2 * np.trapezoid(rim, angle)
-    assert part == pytest.approx(boundary - moment, rel=2e-3)
-    assert part < 0
-
-
 def test_regimes_by_roughness(sliding):
     ratio = sliding["lambda"]
     assert set(sliding["lubrication"]) == {"mixed", "full film"}
@@ -112,23 +88,6 @@ def test_what_cannot_be_solved_is_nan():
     assert np.isfinite(table["friction [N]"].iloc[0])
     beyond = table["beta_load"] < 1e-4 if table["film_min [m]"].notna().all() else table["film_min [m]"].isna()
     assert table["friction [N]"].isna().equals(beyond)
-
-
-def test_a_curve_between_its_nodes():
-    master = curve(100, 1e4)
-    for beta in (137.0, 1890.0):
-        solution = softlube.solve(beta_load=beta)
-        assert master.film_center(beta) == pytest.approx(solution.film_center, rel=1e-3)
-        doubt = max(1e-3, float(master.relative_error("couette", beta)))
-        assert master.friction(beta) == pytest.approx(solution.friction_domain, rel=doubt)
-    assert np.isnan(master.friction(1.0))
-    assert np.isnan(master.relative_error("couette", 1e7))
-
-
-def test_named_and_numbered_regions_agree_in_the_hertz_limit():
-    named, numbered = (_node(22, region, "reynolds", 3e-3) for region in ("domain", 2.0))
-    assert named.couette == pytest.approx(numbered.couette, rel=1e-3)
-    assert not isinstance(_solution(22, "reynolds", 3e-3), str)
 
 
 @pytest.mark.parametrize(
