@@ -24,7 +24,7 @@ def test_no_point_of_a_map_is_below_the_minimum(drawn, solutions):
     columns = drawn("9").tables[0].columns
     for value in MAPS:
         film, least = np.asarray(columns[f"u at beta = {value:g} [|h0|]"]), float(solutions[Case(value)].film_min)
-        assert least * 0.999 < film.min() < 1.05 * least
+        assert least * 0.999 < film.min() < 1.1 * least  # of a coarse map
 
 
 def test_the_inlet_film_and_its_limit(drawn, solutions):
