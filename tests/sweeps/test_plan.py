@@ -1,12 +1,9 @@
 """Plans: the cases they describe, and plans that describe none."""
 
-import math
-
 import pytest
 
 import softlube
 from softlube.sweeps.plan import make_plan, read_plan
-from softlube.sweeps.work import content_key
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
 TOML = """
@@ -24,51 +21,6 @@ speed = "0.1 mm/s"
 
 def speeds(plan):
     return [case.inputs["speed"] for case in plan.cases]
-
-
-def test_a_single_contact_is_the_contact():
-    (case,) = make_plan(BALL).cases
-    assert case.contact == softlube.Contact(**BALL)
-    assert case.problem.beta_load == pytest.approx(softlube.Contact(**BALL).problem().beta_load, rel=1e-11)
-
-
-def test_lists_ranges_and_the_product_last_axis_fastest():
-    log = {"from": "25 um/s", "to": "1 mm/s", "count": 5}
-    plan = make_plan({"load": ["18.6 mN", 0.2381], **{name: BALL[name] for name in BALL if name != "load"}, "speed": log})
-    assert len(plan.cases) == 10
-    assert speeds(plan)[:5] == pytest.approx([2.5e-5 * 40 ** (i / 4) for i in range(5)])
-    assert [case.inputs["load"] for case in plan.cases] == pytest.approx([0.0186] * 5 + [0.2381] * 5)
-    linear = make_plan(BALL | {"speed": log | {"spacing": "linear"}})
-    assert speeds(linear)[2] == pytest.approx((2.5e-5 + 1e-3) / 2)
-
-
-def test_zipped():
-    plan = make_plan(BALL | {"load": [0.1, 0.2], "speed": ["1 mm/s", "2 mm/s"]}, combine="zip")
-    assert [(case.inputs["load"], case.inputs["speed"]) for case in plan.cases] == [(0.1, 1e-3), (0.2, 2e-3)]
-    with pytest.raises(softlube.InputError, match="load: has 2 values and another parameter 3"):
-        make_plan(BALL | {"load": [0.1, 0.2], "speed": [1.0, 2.0, 3.0]}, combine="zip")
-
-
-def test_columns_of_one_file_go_together(tmp_path):
-    (tmp_path / "cases.csv").write_text("N [mN]; speed [mm/s]\n50; 0,1\n100; 0,2\n")
-    columns = {"load": {"csv": "cases.csv", "column": "N"}, "speed": {"csv": "cases.csv"}}
-    plan = make_plan(BALL | columns | {"viscosity": [1.0, 2.0]}, folder=tmp_path)
-    assert [(c.inputs["viscosity"], c.inputs["load"], c.inputs["speed"]) for c in plan.cases] == [
-        pytest.approx(row) for row in [(1, 0.05, 1e-4), (1, 0.1, 2e-4), (2, 0.05, 1e-4), (2, 0.1, 2e-4)]
-    ]
-    assert plan.sources == (tmp_path / "cases.csv",)
-
-
-def test_contacts_of_equal_beta_are_one_problem():
-    plan = make_plan(BALL | {"viscosity": ["2 Pa s", "1 Pa s", "0.7 Pa s"], "speed": [1e-4, 2e-4, 2e-4 / 0.7]}, combine="zip")
-    assert len({case.problem for case in plan.cases}) == 1
-
-
-def test_dimensionless_cases():
-    plan = make_plan({"beta": {"from": 10, "to": 1000, "count": 3}, "cavitation": ["reynolds", "none"]})
-    assert [case.problem.beta for case in plan.cases] == pytest.approx([10, 10, 100, 100, 1000, 1000])
-    assert plan.cases[1].problem.cavitation == "none"
-    assert plan.cases[0].contact is None
 
 
 @pytest.mark.parametrize(
@@ -146,28 +98,3 @@ def test_absent_and_unreadable_plans(tmp_path):
     (tmp_path / "latin.toml").write_bytes("# Größe".encode("latin-1"))
     with pytest.raises(softlube.InputError, match="not UTF-8"):
         read_plan(tmp_path / "latin.toml")
-
-
-def test_ranges_end_where_they_should():
-    values = speeds(make_plan(BALL | {"speed": {"from": 3e-5, "to": 7e-4, "count": 7}}))
-    assert (values[0], values[-1]) == (3e-5, 7e-4)
-    assert math.log(values[1] / values[0]) == pytest.approx(math.log(values[6] / values[5]))
-
-
-def test_layers_and_oils_are_parameters_like_any_other():
-    plan = make_plan(
-        BALL
-        | {"thickness": ["1 mm", "2 mm"], "base": ["bonded", "frictionless"], "poisson_ratio": 0.45, "pressure_viscosity": 2e-8}
-    )
-    assert len(plan.cases) == 4
-    assert len({content_key(case.task, 1e-3) for case in plan.cases}) == 4
-    assert plan.cases[0].contact == softlube.Contact(
-        **BALL, thickness="1 mm", poisson_ratio=0.45, base="bonded", pressure_viscosity="20 GPa^-1"
-    )
-
-
-@pytest.mark.parametrize("name", ["thickness", "base", "viscosity_law"])
-def test_a_dimensionless_case_takes_no_layer_and_no_oil(name):
-    value = {"thickness": "1 mm", "base": "bonded", "viscosity_law": "barus"}[name]
-    with pytest.raises(softlube.InputError, match=f"beta, {name}: give a dimensionless or a physical contact"):
-        make_plan({"beta": 100, name: value})

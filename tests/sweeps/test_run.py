@@ -1,6 +1,5 @@
 """Sweeps: right numbers, failures as rows, nothing solved twice, workers that die, several processes at one store."""
 
-import os
 import signal
 import subprocess
 import sys
@@ -13,7 +12,7 @@ import pytest
 import softlube
 from softlube.model.problem import Problem
 from softlube.sweeps import Store
-from softlube.sweeps.executors import Local, WorkerDied
+from softlube.sweeps.executors import WorkerDied
 from softlube.sweeps.run import Stretches, _Run
 from softlube.sweeps.steady import SteadyTask
 from softlube.sweeps.tasks import Outcome
@@ -52,20 +51,6 @@ def test_numbers_are_those_of_solve(swept):
         assert row["friction_coefficient"] == pytest.approx(solution.dimensional["friction_coefficient"], rel=1e-8)
 
 
-def test_warnings_are_a_column():
-    table = softlube.sweep(BALL | {"load": "50 mN", "roughness": ["1 nm", "1 mm"]}, accuracy=ROUGH, workers=1).table
-    one = softlube.Contact(**BALL | {"load": "50 mN", "speed": "1 mm/s", "roughness": "1 mm"}).solve(accuracy=ROUGH)
-    assert table["warnings"].tolist()[:3] == ["", "; ".join(one.warnings), ""]  # at 1 mm/s, then at 3 mm/s
-    assert all("below the roughness" in text for text in table["warnings"][1::2])
-
-
-@pytest.mark.slow
-def test_a_spike_without_a_height_is_warned_of_in_the_table():
-    hard = {"radius": "10 mm", "young_modulus": "82.5 GPa", "viscosity": "0.05 Pa s", "speed": "1.17 m/s", "load": "5.17 N"}
-    table = softlube.sweep(hard | {"pressure_viscosity": "20 GPa^-1"}, accuracy=ROUGH, workers=1).table
-    assert "spike" in table["warnings"][0]
-
-
 def test_a_second_run_solves_nothing_and_gives_the_same(swept):
     result, store = swept
     states = []
@@ -83,40 +68,6 @@ def test_another_accuracy_is_another_case(swept):
     softlube.sweep(BALL | {"load": "50 mN", "speed": "1 mm/s"}, accuracy=0.03, store=store, workers=1)
     with Store(store) as kept:
         assert len(kept.counts()) == before + 1
-
-
-def test_fields_are_saved_in_si(swept, tmp_path):
-    result, _ = swept
-    paths = result.save_fields(tmp_path / "fields")
-    assert [path.name for path in paths] == [f"case-{n:05d}.nc" for n in (1, 2, 3, 4)]
-    solution = softlube.load(paths[2])
-    assert solution.contact == result.plan.cases[2].contact
-    assert solution.dimensional["film_min"] == result.table["film_min [m]"][2]
-
-
-def test_fields_that_were_not_kept_are_missed(tmp_path):
-    result = softlube.sweep({"beta": 100}, accuracy=ROUGH, workers=1)
-    with pytest.raises(softlube.InputError, match="fields: were not kept"):
-        result.save_fields(tmp_path / "fields")
-
-
-def test_csv_and_parquet_hold_the_table(swept, tmp_path):
-    result, _ = swept
-    result.save(tmp_path / "a.csv")
-    result.save(tmp_path / "a.parquet")
-    from_csv = pd.read_csv(tmp_path / "a.csv", keep_default_na=False)
-    pd.testing.assert_frame_equal(from_csv, result.table, rtol=1e-15)
-    pd.testing.assert_frame_equal(pd.read_parquet(tmp_path / "a.parquet"), result.table, check_exact=True)
-    with pytest.raises(softlube.InputError, match=r"expected a file ending in \.csv or \.parquet"):
-        result.save(tmp_path / "a.xlsx")
-
-
-def test_a_table_of_results_is_a_table_of_cases(swept, tmp_path):
-    result, store = swept
-    result.save(tmp_path / "cases.csv")
-    columns = {name: {"csv": str(tmp_path / "cases.csv")} for name in ("radius", "young_modulus", "viscosity", "load", "speed")}
-    again = softlube.sweep(columns, accuracy=ROUGH, store=store)
-    pd.testing.assert_frame_equal(again.table, result.table, check_exact=True)
 
 
 def test_a_failed_case_is_a_row_with_its_reason_and_stops_nothing(tmp_path):
@@ -160,43 +111,6 @@ def test_an_unexpected_error_is_a_failure_of_its_case(monkeypatch):
 
     monkeypatch.setattr("softlube.steady.ladder.solve_problem", defect)
     assert solve_one(SteadyTask(Problem(beta=10)), 1e-3, False).reason == "ZeroDivisionError: a defect"
-
-
-def test_a_killed_worker_is_noticed_and_replaced():
-    executor = Local(1)
-    task = SteadyTask(Problem(beta=100))
-    assert not executor.submit(0, task, ROUGH, False).result(60).failed
-    (process,) = executor._pools[0]._processes
-    future = executor.submit(0, SteadyTask(Problem(beta=2e5)), 2e-4, False)
-    os.kill(process, signal.SIGKILL)
-    with pytest.raises(WorkerDied):
-        future.result(60)
-    assert not executor.submit(0, task, ROUGH, False).result(60).failed
-    executor.close(wait=True)
-
-
-def test_workers_end_with_a_killed_sweep(tmp_path):
-    script = (
-        "import os, signal\n"
-        "from softlube.sweeps.executors import Local\n"
-        "from softlube.model.problem import Problem\n"
-        "from softlube.sweeps.steady import SteadyTask\n"
-        "executor = Local(1)\n"
-        "executor.submit(0, SteadyTask(Problem(beta=100)), 0.05, False).result()\n"
-        "print(*executor._pools[0]._processes, flush=True)\n"
-        "os.kill(os.getpid(), signal.SIGKILL)\n"
-    )
-    killed = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
-    assert killed.returncode == -signal.SIGKILL
-    worker = int(killed.stdout)
-    deadline = time.monotonic() + 20
-    while time.monotonic() < deadline:
-        try:
-            os.kill(worker, 0)
-        except ProcessLookupError:
-            return
-        time.sleep(0.1)
-    pytest.fail("the worker is still there")
 
 
 class Deadly:
