@@ -41,8 +41,12 @@ def test_other_work_starts_the_bar_anew(terminal):
         bar.show(progress("solving", 4, 4))
         bar.show(progress("fitting", 1, 9))
         assert (bar._bar.tasks[0].completed, bar._bar.tasks[0].total) == (1, 9)
+        began = bar._bar.tasks[0].start_time
+        bar.show(progress("fitting", 2, 9))
+        assert bar._bar.tasks[0].start_time == began
         bar.show(progress("fitting again", 0, 9))
         assert bar._bar.tasks[0].completed == 0
+        assert bar._bar.tasks[0].start_time > began
 
 
 def test_a_bar_that_is_refused_leaves_no_trace(terminal):

@@ -55,7 +55,8 @@ def test_workers_end_with_a_killed_sweep(tmp_path):
     pytest.fail("the worker is still there")
 
 
-def test_a_lane_is_one_process_with_one_thread():
+def test_a_lane_is_one_process_with_one_thread(monkeypatch):
+    monkeypatch.setenv("OPENBLAS_NUM_THREADS", "2")
     executor = Local(2)
     assert list(executor.lanes()) == [0, 1]
     futures = [executor.submit(lane, Told(beta=1), ROUGH, False) for lane in (0, 1, 0)]

@@ -20,6 +20,7 @@ def test_a_single_contact_is_the_contact():
 def test_contacts_of_equal_beta_are_one_problem():
     plan = make_plan(BALL | {"viscosity": ["2 Pa s", "1 Pa s", "0.7 Pa s"], "speed": [1e-4, 2e-4, 2e-4 / 0.7]}, combine="zip")
     assert len({case.problem for case in plan.cases}) == 1
+    assert plan.cases[0].problem.beta_load == float(f"{softlube.Contact(**BALL).problem().beta_load:.12g}")
 
 
 def test_dimensionless_cases():
