@@ -1,6 +1,7 @@
 """The tree itself: no circle of imports, few entries at the top, a test module for every module."""
 
 import ast
+import re
 import tomllib
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -131,3 +132,22 @@ def test_every_module_has_its_test_module(name):
     if ".".join(parts) in STILL_WITHOUT and not mirrored.is_file():
         pytest.skip("still to be written")
     assert mirrored.is_file(), f"{mirrored.relative_to(ROOT)} is missing"
+
+
+def test_contributing_names_every_room():
+    """The tree of CONTRIBUTING has every folder with code, and no other; the files it sends newcomers to are there."""
+    text = (ROOT / "CONTRIBUTING.md").read_text()
+    tree = text.split("    src/softlube/\n")[1].split("    tests/")[0]
+    named, folder = set(), {}
+    for line in tree.splitlines():
+        depth, name = len(line) - len(line.lstrip()), line.split()[0]
+        if name.endswith("/"):
+            folder[depth] = folder.get(depth - 2, Path()) / name
+            named.add(folder[depth].as_posix())
+    package = SOURCE / "softlube"
+    there = {
+        path.relative_to(package).as_posix() for path in package.rglob("*") if path.is_dir() and path.name != "__pycache__"
+    }
+    assert named == there
+    for path in re.findall(r"`((?:src|tests|benchmarks)/[\w/.]+)`", text):
+        assert list(ROOT.glob(path.replace("NAME", "*").rstrip("/"))), path
