@@ -21,8 +21,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
 from fine_grid import reference
 
-from softlube.discretization.measure import DESCRIPTION
 from softlube.model.problem import Problem
+from softlube.model.quantities import STEADY
 from softlube.model.substrates import LayerKernel
 from softlube.steady.error_estimate import yardstick
 from softlube.steady.ladder import solve_problem
@@ -56,9 +56,9 @@ def compare(seed: int, layers: bool, case: int) -> tuple[list[float], list[float
     """True errors and estimates of one case, and the angles of its finest grid."""
     problem = random_problem(seed, case, layers)
     solution, exact = solve_problem(problem), reference(problem)
-    scales = [yardstick(name, exact) for name in DESCRIPTION]
-    errors = [abs(solution.quantities[name] - exact[name]) for name in DESCRIPTION]
-    estimates = [solution.quantities[name].error for name in DESCRIPTION]
+    scales = [yardstick(name, exact) for name in STEADY]
+    errors = [abs(solution.quantities[name] - exact[name]) for name in STEADY]
+    estimates = [solution.quantities[name].error for name in STEADY]
     divide = np.array(scales)
     return list(errors / divide), list(estimates / divide), solution.levels[-1].n_theta
 
@@ -84,7 +84,7 @@ def main() -> None:
     print("|---|---|---|---|---|")
     measured = estimates > 0  # prescribed quantities have no error
     ratio = np.where(measured, estimates / np.maximum(errors, 1e-12), np.nan)
-    for k, name in enumerate(DESCRIPTION):
+    for k, name in enumerate(STEADY):
         own, quotient = errors[measured[:, k], k], ratio[measured[:, k], k]
         covered, middle = np.mean(quotient >= 1), np.median(quotient)
         print(f"| {name:22s} | {np.median(own):12.1e} | {own.max():8.1e} | {covered:8.0%} | {middle:5.1f} |")

@@ -21,9 +21,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 
-from softlube.discretization.measure import DESCRIPTION
 from softlube.discretization.system import forget_operators
 from softlube.model.problem import Problem
+from softlube.model.quantities import STEADY
 from softlube.steady.ladder import climb, solution_of
 
 PER_DECADE = 8
@@ -59,7 +59,7 @@ def rows_of(problem: Problem) -> list[Row]:
     rows: list[Row] = []
     for normalisation, (beta, quantities) in families.items():
         row: Row = {"cavitation": problem.cavitation, "normalisation": normalisation, "beta": f"{beta:.10g}"}
-        for name in DESCRIPTION:
+        for name in STEADY:
             row[name] = f"{float(quantities[name]):.9g}"
             row[f"{name}_error"] = f"{quantities[name].error:.2g}"
         rows.append(row)

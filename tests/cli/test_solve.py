@@ -6,7 +6,7 @@ import pytest
 
 import softlube
 from softlube.cli.main import main
-from softlube.discretization.measure import DESCRIPTION
+from softlube.model.quantities import STEADY
 
 BALL = ["--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s", "--speed", "0.1 mm/s", "--load", "100 mN"]
 
@@ -44,7 +44,7 @@ def test_json_is_one_object_and_nothing_else(capsys, contact, physical):
     assert captured.err == ""
     assert data["converged"] is True
     assert data["beta"] == physical.beta
-    assert set(DESCRIPTION) <= set(data["quantities"])
+    assert set(STEADY) <= set(data["quantities"])
     assert data["quantities"]["film_min"] == {"value": physical.film_min, "error": physical.film_min.error}
     assert data["dimensional"]["friction_coefficient"]["value"] == physical.dimensional["friction_coefficient"]
     assert data["dimensional"]["indentation"]["unit"] == "m"

@@ -9,9 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import softlube
-from softlube.physical.contact import UNITS
+from softlube.model.quantities import DERIVED, STEADY
 from softlube.physical.units import KINDS, to_si
-from softlube.steady.spike.detection import DESCRIPTION as SPIKE
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
 
@@ -119,7 +118,7 @@ def test_physical_numbers_follow_from_the_dimensionless_ones(physical):
     for unit, beta in ((indentation, physical.beta), (height, physical.beta_load)):
         assert (2 / 3) * unit**2 / radius * math.pi * modulus / (2 * 1e-4) == pytest.approx(beta, rel=1e-12)
     assert physical.dimensional["indentation"].error == pytest.approx(height * physical.height.error)
-    assert set(physical.dimensional) == set(UNITS) - set(SPIKE)
+    assert set(physical.dimensional) == set(STEADY) - {"height", "film_min_angle_deg"} | set(DERIVED)
 
 
 AT_THE_EDGE = (

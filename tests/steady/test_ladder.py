@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 import softlube
-from softlube.discretization.measure import DESCRIPTION, measure
+from softlube.discretization.measure import measure
 from softlube.discretization.system import ContactSystem
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Problem
+from softlube.model.quantities import REPORTED_ONLY, STEADY
 from softlube.solvers.newton import newton
-from softlube.steady.error_estimate import LOOSER, REPORTED_ONLY, estimate_errors, floors_for, yardstick
+from softlube.steady.error_estimate import LOOSER, estimate_errors, floors_for, yardstick
 from softlube.steady.ladder import COARSE_TOLERANCE, solve_level, solve_problem
 from softlube.steady.mesh import first_height, grid_for, unit_for
 
@@ -274,11 +275,11 @@ def test_every_problem_has_a_floor_for_every_quantity():
         Problem(beta=10.0, cavitation="none"),
         Problem(beta_load=1.0, cavitation="none"),
     ):
-        assert set(floors_for(problem)) == set(DESCRIPTION)
+        assert set(floors_for(problem)) == set(STEADY)
 
 
 def test_errors_are_compared_with_what_cannot_vanish():
-    values = dict.fromkeys(DESCRIPTION, 0.0) | {"height": -0.001, "film_center": 0.4, "boundary_layer": -0.00125, "load": 2.0}
+    values = dict.fromkeys(STEADY, 0.0) | {"height": -0.001, "film_center": 0.4, "boundary_layer": -0.00125, "load": 2.0}
     assert yardstick("height", values) == pytest.approx(0.401)
     assert yardstick("boundary_layer", values) == pytest.approx(0.0025)
     assert yardstick("film_min_radius", values) == yardstick("film_min_angle_deg", values) == 1

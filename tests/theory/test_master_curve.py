@@ -7,9 +7,9 @@ import pytest
 
 import softlube
 from softlube import curve, limits
-from softlube.discretization.measure import DESCRIPTION
 from softlube.errors import InputError
 from softlube.model.problem import Problem
+from softlube.model.quantities import STEADY
 
 BETWEEN = [
     ({"beta": 1.7e-2}, "reynolds"),
@@ -108,7 +108,7 @@ def test_arrays_keep_their_shape_and_scalars_are_scalars():
 
 def test_all_quantities_of_a_problem():
     quantities = curve.quantities(Problem(beta_load=1e3))
-    assert list(quantities) == list(DESCRIPTION)
+    assert list(quantities) == list(STEADY)
     assert float(quantities["load"]) == limits.HERTZ_LOAD
     assert quantities["load"].error == 0
     assert curve.quantities(Problem(beta=1e3))["height"] == -1

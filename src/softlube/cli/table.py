@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from softlube.model.quantities import DERIVED, SPIKE, STEADY
 from softlube.physical.units import prefixed
 
 if TYPE_CHECKING:
@@ -14,20 +15,6 @@ if TYPE_CHECKING:
 
     from softlube.model.problem import Problem
     from softlube.model.quantities import Quantity
-
-DIMENSIONLESS_UNIT = {
-    "load": "4πG {0} a",
-    "film": "{0}",
-    "height": "{0}",
-    "pressure": "4πG a/R",
-    "friction": "(2π/3)G {0}²",
-    "boundary_layer": "a = √(R {0})",
-    "shear_rate_max": "v/{0}",
-    "spike_pressure": "4πG a/R",
-    "spike_radius": "a = √(R {0})",
-    "pressure_gradient_inlet": "4πG/R",
-}
-"""Units of a solution without physical input; {0} is the unit of height."""
 
 
 def rounded(value: float, error: float) -> tuple[str, str]:
@@ -64,33 +51,30 @@ def empty_table() -> Table:
 
 def solution_table(problem: Problem, quantities: Mapping[str, Quantity], dimensional: Mapping[str, Quantity]) -> Table:
     """Every quantity of a solution, in SI if it has them."""
-    from softlube.discretization.measure import DESCRIPTION
-    from softlube.steady.spike.detection import DESCRIPTION as SPIKE
-
     table = empty_table()
 
     def row(text: str, value: str, error: str, unit: str) -> None:
         table.add_row(text, value, f"± {error}", unit)
 
     physical = bool(dimensional)
-    unit = "δ" if problem.load_controlled else "|h0|"
+    unit_of_height = "δ" if problem.load_controlled else "|h0|"
     if physical:
-        row("indentation", *engineering(dimensional["indentation"]))
-        row(f"contact radius a = √(R {unit})", *engineering(dimensional["contact_radius"]))
-    for name, text in (DESCRIPTION | SPIKE).items():
+        radius = DERIVED["contact_radius"]
+        row(DERIVED["indentation"].words, *engineering(dimensional["indentation"]))
+        row(f"{radius.words} {radius.unit.formula.format(unit_of_height)}", *engineering(dimensional["contact_radius"]))
+    for name, definition in (STEADY | SPIKE).items():
         if name not in quantities:
             continue
         quantity = quantities[name]
         if name == "height" and (physical or not problem.load_controlled):
             continue  # the input, or the indentation above
-        if name in ("film_min_radius", "film_min_angle_deg"):
-            place = "  at a radius of" if name == "film_min_radius" else "  at an angle from the inlet of"
-            row(place, *rounded(float(quantity), quantity.error), "a" if name == "film_min_radius" else "°")
+        unit = definition.unit.formula.format(unit_of_height)
+        if definition.place:
+            row(f"  {definition.place}", *rounded(float(quantity), quantity.error), unit.split(" = ")[0])
         elif physical:
-            row(text, *engineering(dimensional[name]))
+            row(definition.words, *engineering(dimensional[name]))
         else:
-            group = name if name in DIMENSIONLESS_UNIT else name.split("_")[0]
-            row(text, *rounded(float(quantity), quantity.error), DIMENSIONLESS_UNIT[group].format(unit))
+            row(definition.words, *rounded(float(quantity), quantity.error), unit)
     if physical:
-        row("friction coefficient over r ≤ 2a", *engineering(dimensional["friction_coefficient"]))
+        row(DERIVED["friction_coefficient"].words, *engineering(dimensional["friction_coefficient"]))
     return table

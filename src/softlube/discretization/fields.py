@@ -15,6 +15,10 @@ from softlube.model.problem import Cavitation
 
 Array = NDArray[np.floating]
 
+SHARP = 0.3
+"""Change of ln η from a node to the next along r, in the outlet half, up to which the pressure is smooth on the grid
+(measured)."""
+
 
 class Chart(Protocol):
     """Coordinates (ξ, s) in which fields are interpolated: ξ odd in r, θ(s) mapping [0, π] onto itself."""
@@ -78,6 +82,17 @@ class Fields:
             height=self.height / unit,
             liquid=self.liquid.in_units(unit),
         )
+
+    @cached_property
+    def steepest_fall(self) -> float:
+        """Largest change of ln η from a node to the next along r, in the outlet half: 0 for constant viscosity."""
+        outlet = self.pressure[:, self.theta > np.pi / 2]
+        return float(np.max(np.abs(np.diff(np.log(self.liquid.viscosity(outlet)), axis=0))))
+
+    @property
+    def is_sharp(self) -> bool:
+        """Whether the pressure is not smooth on its grid, because of a spike, whose height converges like the spacing only."""
+        return self.steepest_fall > SHARP
 
     def _spline(self, values: Array) -> RectBivariateSpline:
         """Cubic spline through nodal values, continued evenly across θ = 0 and π and through the centre."""

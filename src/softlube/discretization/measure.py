@@ -13,7 +13,7 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from softlube.discretization.fields import Fields
-from softlube.steady.spike.detection import is_sharp
+from softlube.model.quantities import BOUNDARY_LAYER_LEVEL
 
 Array = NDArray[np.floating]
 
@@ -21,30 +21,9 @@ CONTACT = 1.0
 """Cut-off radius of `load_contact` and `friction_contact`: the Hertz contact, as Eq. (27) is printed."""
 DOMAIN = 2.0
 """Cut-off radius of `friction_domain`: the paper's whole computational domain, where Eq. (28) comes from."""
-BOUNDARY_LAYER_LEVEL = 0.05
-"""p/p_max at the end of the inlet boundary layer, Eq. (21)."""
 
 INLET, OUTLET = np.array([0.0]), np.array([np.pi])
 """The two halves of the x axis, as coordinates s."""
-
-DESCRIPTION = {
-    "load": "normal load, whole plane",
-    "load_contact": "normal load over r ≤ a",
-    "height": "height over the undeformed surface",
-    "film_center": "film at the centre",
-    "film_min": "minimum film",
-    "film_min_radius": "radius of the minimum film",
-    "film_min_angle_deg": "angle of the minimum film from the inlet",
-    "film_inlet": "film at the inlet, r = a",
-    "film_outlet_min": "minimum film on the outlet axis",
-    "pressure_center": "pressure at the centre",
-    "pressure_max": "maximum pressure",
-    "pressure_gradient_inlet": "largest |dp/dr| on the inlet axis",
-    "boundary_layer": "inlet boundary layer, to p/p_max = 5 %",
-    "friction_contact": "friction force over r ≤ a",
-    "friction_domain": "friction force over r ≤ 2a",
-    "shear_rate_max": "maximum shear rate at the walls",
-}
 
 
 def _zoom(f: Callable[[Array], Array], low: float, high: float, rounds: int = 5) -> tuple[float, float]:
@@ -137,7 +116,15 @@ def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
 
 
 def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
-    """All quantities of `DESCRIPTION`, dimensionless; the boundary layer from the dry contact's `edge`."""
+    """All quantities of `softlube.model.quantities.STEADY`, dimensionless; see there for what each of them means.
+
+    Parameters
+    ----------
+    fields : Fields
+        What they are read off.
+    edge : float
+        Radius of the dry contact, from which the boundary layer is counted.
+    """
     chart = fields.chart
     xi_nodes, s_nodes = chart.xi_of(fields.r), chart.s_of(fields.theta)
     inside = float(chart.xi_of(min(DOMAIN, fields.r[-1])))
@@ -151,10 +138,13 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         return xi, s if i >= 2 else s_nodes  # at the centre every angle is the same place
 
     xi_film, s_film, film_min = _zoom_plane(lambda a, b: fields.film_spline(a, b), *around(fields.film))
-    # Between the nodes of a ridge that runs askew to the mesh, a cubic overshoots.
-    pressure_max = float(np.max(fields.pressure))
-    if not is_sharp(fields):
-        pressure_max = -_zoom_plane(lambda a, b: -fields.pressure_spline(a, b), *around(-fields.pressure))[2]
+    pressure_center = float(fields.pressure_at(0.0, 0.0))
+    if fields.is_sharp:
+        # Between the nodes of a ridge that runs askew to the mesh, a cubic overshoots.
+        highest = float(np.max(fields.pressure))
+    else:
+        highest = -_zoom_plane(lambda a, b: -fields.pressure_spline(a, b), *around(-fields.pressure))[2]
+    pressure_max = max(highest, pressure_center)  # the centre lies between the nodes
     sheared = -wall_shear_rate(fields, xi_nodes[1:], s_nodes)
     xi_shear, s_shear = around(np.vstack([np.zeros((1, s_nodes.size)), sheared]))
     shear_rate_max = -_zoom_plane(lambda a, b: -wall_shear_rate(fields, a, b), np.maximum(xi_shear, xi_nodes[1] / 8), s_shear)[
@@ -182,7 +172,7 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         "film_min_angle_deg": float(np.degrees(chart.theta_of(s_film))),
         "film_inlet": float(fields.film_at(CONTACT, 0.0)),
         "film_outlet_min": outlet_min,
-        "pressure_center": float(fields.pressure_at(0.0, 0.0)),
+        "pressure_center": pressure_center,
         "pressure_max": pressure_max,
         "pressure_gradient_inlet": -slope,
         "boundary_layer": boundary_layer(fields, pressure_max, edge),

@@ -157,6 +157,7 @@ class ContactSystem:
             layer = min(0.5, 1.5 * beta**-0.4)
             lift = wanted = dry.edge * beta**-0.6
             outside = self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
+            pressure = outside
             for _ in range(LIFTS):
                 pressure = smeared_contact(self.material, dry.indentation + lift, layer)(r) + outside
                 lowest = float(np.min(self.film(self._unknowns(pressure, height))))

@@ -14,11 +14,10 @@ import xarray as xr
 
 from softlube.discretization.fields import Chart, Fields
 from softlube.discretization.grid import PolarGrid
-from softlube.discretization.measure import DESCRIPTION
 from softlube.errors import InputError
 from softlube.files.writing import check_destination, whole_file
 from softlube.model.problem import Problem
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import FIELDS, QUANTITIES, Quantity
 from softlube.physical.contact import Contact
 from softlube.solvers.newton import Iteration
 from softlube.steady.solution import Level, Record, SavedRecord, Solution
@@ -26,7 +25,6 @@ from softlube.steady.solution import Level, Record, SavedRecord, Solution
 SI_SUFFIX = "_SI"
 OTHER_SUFFIX = "_other"
 POLAR = "plain polar coordinates"
-FIELD_NAMES = {"pressure": "pressure", "film": "film thickness", "displacement": "surface displacement of the substrate"}
 
 
 def _plain(level: Level) -> dict[str, Any]:
@@ -57,14 +55,14 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     displacement = (fields.height + fields.r[:, None] ** 2 / 2) - fields.film
     values = {"pressure": fields.pressure, "film": fields.film, "displacement": displacement}
     data: dict[str, xr.DataArray] = {
-        name: xr.DataArray(values[name], dims=("r", "theta"), attrs={"long_name": text, "units": "1"})
-        for name, text in FIELD_NAMES.items()
+        name: xr.DataArray(values[name], dims=("r", "theta"), attrs={"long_name": FIELDS[name].words, "units": "1"})
+        for name in values
     }
     own, other = ("load", "indentation") if solution.problem.load_controlled else ("indentation", "load")
     families = ((solution.quantities, ""), (solution.other_quantities, OTHER_SUFFIX), (solution.dimensional, SI_SUFFIX))
     for quantities, suffix in families:
         for name, quantity in quantities.items():
-            attributes = {"long_name": DESCRIPTION.get(name, name.replace("_", " ")), "units": quantity.unit or "1"}
+            attributes = {"long_name": QUANTITIES[name].words, "units": quantity.unit or "1"}
             data[name + suffix] = xr.DataArray(float(quantity), attrs=attributes | {"error": quantity.error})
     coordinates = {
         "r": ("r", fields.r, {"long_name": "distance from the axis over the unit of length", "units": "1"}),
@@ -91,12 +89,13 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     if solution.contact is not None:
         contact = solution.contact
         attributes["inputs_SI"] = json.dumps(contact.inputs())
-        length, height = contact.unit_length, contact.unit_height
-        pressure = contact.scales(height)["pressure"][0]
-        for name, scale, unit in (("pressure", pressure, "Pa"), ("film", height, "m"), ("displacement", height, "m")):
-            attrs = {"long_name": FIELD_NAMES[name], "units": unit}
+        scales = contact.scales(contact.unit_height)
+        for name in values:
+            scale, unit = scales[FIELDS[name].dimension]
+            attrs = {"long_name": FIELDS[name].words, "units": unit}
             data[name + SI_SUFFIX] = xr.DataArray(values[name] * scale, dims=("r", "theta"), attrs=attrs)
-        coordinates["r" + SI_SUFFIX] = ("r", fields.r * length, {"long_name": "distance from the axis", "units": "m"})
+        length, unit = scales[FIELDS["r"].dimension]
+        coordinates["r" + SI_SUFFIX] = ("r", fields.r * length, {"long_name": FIELDS["r"].words, "units": unit})
     return xr.Dataset(data, coords=coordinates, attrs=attributes)
 
 

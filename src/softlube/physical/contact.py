@@ -15,7 +15,7 @@ import numpy as np
 from softlube.errors import InputError
 from softlube.model.liquids import Liquid
 from softlube.model.problem import Cavitation, Problem
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.model.substrates import LayerKernel, Substrate
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
@@ -29,29 +29,6 @@ from softlube.physical.materials import (
 from softlube.physical.units import KINDS, to_si
 from softlube.solvers.progress import Listener
 from softlube.steady.solution import Solution
-
-UNITS = {
-    "load": "N",
-    "load_contact": "N",
-    "film_center": "m",
-    "film_min": "m",
-    "film_min_radius": "m",
-    "film_inlet": "m",
-    "film_outlet_min": "m",
-    "pressure_center": "Pa",
-    "pressure_max": "Pa",
-    "pressure_gradient_inlet": "Pa/m",
-    "spike_pressure": "Pa",
-    "spike_radius": "m",
-    "boundary_layer": "m",
-    "friction_contact": "N",
-    "friction_domain": "N",
-    "shear_rate_max": "1/s",
-    "indentation": "m",
-    "contact_radius": "m",
-    "friction_coefficient": "",
-}
-"""SI unit of every dimensional quantity."""
 
 
 def replace_substrate(contact: Contact, thickness: float | None) -> Contact:
@@ -243,29 +220,14 @@ class Contact(Materials):
 
     def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
         """Quantities of `problem` in SI, Eqs. (4) and (26)."""
-        height, length = self.unit_height, self.unit_length
-        units = {name: value for name, (value, _) in self.scales(height).items()}
-        scales = {
-            "load": units["load"],
-            "film": height,
-            "pressure": units["pressure"],
-            "pressure_gradient_inlet": units["pressure"] / length,
-            "friction": units["friction"],
-            "length": length,
-            "shear_rate_max": self.speed / height,
-        }
-        group = {
-            "film_min_radius": "length",
-            "boundary_layer": "length",
-            "spike_radius": "length",
-            "spike_pressure": "pressure",
-        }
+        units = {dimension: value for dimension, (value, _) in self.scales(self.unit_height).items()}
+        height, length = units["height"], units["length"]
+        units |= {"pressure_gradient": units["pressure"] / length, "shear_rate": self.speed / height}
         result = {}
         for name, quantity in quantities.items():
-            if name not in UNITS:
-                continue
-            scale = scales[group.get(name) or (name if name in scales else name.split("_")[0])]
-            result[name] = Quantity(scale * float(quantity), scale * quantity.error, UNITS[name])
+            row = QUANTITIES[name]
+            if name != "height" and row.dimension in units:  # the height is given as an indentation, the angle is no SI value
+                result[name] = quantity.scaled(units[row.dimension], row.unit.si)
         if self.load is not None:
             result["load"] = Quantity(self.load, 0.0, "N")
         friction, load = result["friction_domain"], result["load"]

@@ -226,7 +226,7 @@ def plot_curves(curves: Mapping[str, Curve], symbol: str, between: tuple[float, 
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    from softlube.discretization.measure import DESCRIPTION
+    from softlube.model.quantities import QUANTITIES
 
     beta = np.geomspace(*between, 400)
     with mpl.rc_context(STYLE):
@@ -236,7 +236,7 @@ def plot_curves(curves: Mapping[str, Curve], symbol: str, between: tuple[float, 
         colours = mpl.colormaps["viridis"](np.linspace(0, 0.85, len(curves)))
         for (name, curve), colour in zip(curves.items(), colours, strict=True):
             value, error = curve(beta)
-            upper.loglog(beta, np.abs(value), color=colour, lw=1.2, label=DESCRIPTION[name])
+            upper.loglog(beta, np.abs(value), color=colour, lw=1.2, label=QUANTITIES[name].words)
             upper.fill_between(beta, np.abs(value) - error, np.abs(value) + error, color=colour, alpha=0.3, lw=0)
             lower.semilogx(beta, curve.exponent(beta), color=colour, lw=1.2)
         upper.legend(fontsize=6)

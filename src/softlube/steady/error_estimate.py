@@ -6,15 +6,14 @@ import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from softlube.discretization.fields import Fields
-from softlube.discretization.measure import BOUNDARY_LAYER_LEVEL
 from softlube.model.problem import Problem
+from softlube.model.quantities import QUANTITIES, REPORTED_ONLY, STEADY
 from softlube.steady.mesh import DEEP_BETA, dry_under, like_hertz, over_a_gap, steepness
 from softlube.steady.spike.detection import (
     LARGEST_SPIKE_ERROR,
     LEFT_OF_FIRST_ORDER,
     fall_from_top,
     is_needle,
-    is_sharp,
     ridge_error,
 )
 
@@ -22,28 +21,9 @@ LOOSER = {"film_min": 3.0, "shear_rate_max": 3.0}
 LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
 """Quantities whose error may exceed the accuracy by this factor: the extrema in the thinnest layer, which take
 more angles the larger β is; the second beyond `COARSE_BETA`."""
-REPORTED_ONLY = ("film_min_radius", "film_min_angle_deg")
-"""Quantities that carry an error but do not decide when the grid is fine enough."""
 SPIKE_BOUND = ("pressure_max", "boundary_layer", "friction_contact", "friction_domain")
 """Quantities that the tip of a pressure spike decides, or the viscosity in it: none where no grid resolves the spike."""
-FREE_BOUNDARY = {
-    "load": 0.15,
-    "load_contact": 0.1,
-    "height": 0.05,
-    "film_center": 0.03,
-    "film_min": 0.75,
-    "film_min_radius": 1.0,
-    "film_min_angle_deg": 150.0,
-    "film_inlet": 0.041,
-    "film_outlet_min": 0.5,
-    "pressure_center": 0.08,
-    "pressure_max": 0.06,
-    "pressure_gradient_inlet": 0.24,
-    "boundary_layer": 0.15,
-    "friction_contact": 0.07,
-    "friction_domain": 0.08,
-    "shear_rate_max": 1.6,
-}
+FREE_BOUNDARY = {name: row.free_boundary_error for name, row in STEADY.items()}
 """Least error, times n_theta², that a grid leaves because the free boundary falls between its nodes: in terms of `yardstick`.
 Measured against finer grids by benchmarks/calibrate_errors.py; see docs/verification.md."""
 FREE_BOUNDARY_GAP = {
@@ -84,16 +64,8 @@ COARSE_BETA = 3e6
 
 
 def yardstick(name: str, values: Mapping[str, float]) -> float:
-    """What the error of a quantity is compared with: its size, where that cannot vanish.
-
-    The height is compared with the film too, the boundary layer with its place in a dry contact (p/p_max = 5 % at 1 − r =
-    0.00125), the place of the minimum film with 1.
-    """
-    if name.startswith("film_min_"):
-        return 1.0
-    if name == "height":
-        return abs(values[name]) + values["film_center"]
-    return abs(values[name]) + (BOUNDARY_LAYER_LEVEL**2 / 2 if name == "boundary_layer" else 0.0)
+    """What the error of a quantity is compared with; see `softlube.model.quantities.Definition.compared_with`."""
+    return QUANTITIES[name].size(values)
 
 
 def floors_for(problem: Problem) -> Mapping[str, float]:
@@ -186,7 +158,7 @@ def spike_bound(fields: Fields) -> dict[str, float]:
 
     With the least relative error of each.
     """
-    if not is_sharp(fields):
+    if not fields.is_sharp:
         return {}
     return dict.fromkeys(SPIKE_BOUND, 0.0) | {"pressure_max": ridge_error(fall_from_top(fields))}
 

@@ -80,7 +80,7 @@ class Solution:
     fields : Fields
         Pressure and film as functions of position, normalised like the quantities; `dataset` has them as an xarray Dataset.
     quantities : mapping of str to Quantity
-        See `softlube.discretization.measure.DESCRIPTION`.  Normalised with what is prescribed:
+        See `softlube.model.quantities.STEADY`.  Normalised with what is prescribed:
         with |h₀| as in the paper where that is, with the Hertz indentation δ of the load, Eq. (29), where the load is.
     beta, beta_load : float
         β of Eq. (6d) and β of Eq. (30).

@@ -10,8 +10,8 @@ from typing import Any, ClassVar
 
 from softlube.errors import InputError
 from softlube.model.problem import Problem
-from softlube.model.quantities import Quantity
-from softlube.physical.contact import UNITS, Contact
+from softlube.model.quantities import Quantity, header
+from softlube.physical.contact import Contact
 from softlube.sweeps.axes import DIMENSIONLESS
 from softlube.sweeps.tasks import Outcome, Value, contents
 
@@ -126,9 +126,8 @@ class SteadyCase:
         doubts = [str(outcome.facts["warnings"]), *(self.contact.doubts(dimensional) if self.contact is not None else ())]
         row = {"warnings": "; ".join(filter(None, doubts))} | {name: outcome.facts[name] for name in DIMENSIONLESS}
         for name, quantity in (quantities | dimensional).items():
-            unit = f" [{UNITS[name]}]" if name in dimensional and UNITS[name] else ""
-            row[f"{name}{unit}"] = float(quantity)
-            row[f"{name}_error{unit}"] = quantity.error
+            row[header(name, quantity.unit)] = float(quantity)
+            row[header(name, quantity.unit, error=True)] = quantity.error
         return row
 
     def write(self, fields: bytes, path: Path) -> None:

@@ -6,7 +6,7 @@
     True
 
 Each function takes `beta`, Eq. (6d), and gives the quantity normalised with the indentation, or `beta_load`, Eq. (30), and
-gives it normalised with the Hertz indentation of the load; see `softlube.discretization.measure.DESCRIPTION`.
+gives it normalised with the Hertz indentation of the load; see `softlube.model.quantities.STEADY`.
 Behind them is a table of solutions (made by benchmarks/master_curve.py) from 10⁻⁴ to 10⁸, interpolated by cubic splines in
 ln β, and continued beyond both ends: by the laws of the Hertz limit above, by the power of β at the table's end below.  The
 error is the table's, plus what the interpolation and the continuation may add.
@@ -25,11 +25,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
-from softlube.discretization.measure import DESCRIPTION
 from softlube.errors import InputError
 from softlube.model.liquids import NewtonianLaw
 from softlube.model.problem import Problem
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import STEADY, Quantity
 from softlube.model.substrates import HalfSpaceKernel
 from softlube.theory import limits
 
@@ -170,7 +169,7 @@ def curve(name: str, normalisation: str = "indentation", cavitation: str = "reyn
     Parameters
     ----------
     name : str
-        A key of `softlube.discretization.measure.DESCRIPTION`.
+        A key of `softlube.model.quantities.STEADY`.
     normalisation : {"indentation", "load"}
         With β of Eq. (6d), or β_load of Eq. (30).
     cavitation : {"reynolds", "none"}
@@ -181,8 +180,8 @@ def curve(name: str, normalisation: str = "indentation", cavitation: str = "reyn
     InputError
         If one of them is unknown, or the quantity is prescribed in that normalisation.
     """
-    if name not in DESCRIPTION:
-        raise InputError(f"quantity: unknown quantity {name!r}; one of {', '.join(DESCRIPTION)}")
+    if name not in STEADY:
+        raise InputError(f"quantity: unknown quantity {name!r}; one of {', '.join(STEADY)}")
     if normalisation not in ("indentation", "load"):
         raise InputError(f"normalisation: expected 'indentation' or 'load', got {normalisation!r}")
     if cavitation not in ("reynolds", "none"):
@@ -196,7 +195,7 @@ def curve(name: str, normalisation: str = "indentation", cavitation: str = "reyn
 def available(normalisation: str) -> list[str]:
     """Names of the quantities that are not prescribed in a normalisation."""
     prescribed = "load" if normalisation == "load" else "height"
-    return [name for name in DESCRIPTION if name != prescribed]
+    return [name for name in STEADY if name != prescribed]
 
 
 def evaluate(
@@ -207,7 +206,7 @@ def evaluate(
     Parameters
     ----------
     name : str
-        A key of `softlube.discretization.measure.DESCRIPTION`.
+        A key of `softlube.model.quantities.STEADY`.
     beta, beta_load : array_like
         One of them, positive: β of Eq. (6d), for values normalised with the indentation, or β of Eq. (30), with the load.
     cavitation : {"reynolds", "none"}
@@ -249,7 +248,7 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
     given: dict[str, Any] = {"beta_load" if problem.load_controlled else "beta": problem.parameter}
     exact = ("load", limits.HERTZ_LOAD) if problem.load_controlled else ("height", -1.0)
     result = {}
-    for name in DESCRIPTION:
+    for name in STEADY:
         if name == exact[0]:
             result[name] = Quantity(exact[1], 0.0)
         else:
@@ -265,7 +264,7 @@ def _function(name: str) -> Callable[..., tuple[Array, Array]]:
         return evaluate(name, beta, beta_load=beta_load, cavitation=cavitation)
 
     of_beta.__name__ = of_beta.__qualname__ = name
-    of_beta.__doc__ = f"Value and error of the {DESCRIPTION[name]} as a function of β; see `evaluate`."
+    of_beta.__doc__ = f"Value and error of the {STEADY[name].words} as a function of β; see `evaluate`."
     return of_beta
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from softlube.discretization.fields import Fields
 from softlube.discretization.measure import CONTACT, DOMAIN, boundary_layer, friction_within, poiseuille_within
 from softlube.model.problem import Problem
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.error_estimate import yardstick
 from softlube.steady.mesh import contact_edge
@@ -187,6 +187,8 @@ def spike_quantities(
         return known
     before = {**quantities, **known}
     closer = resolve_spike(problem, grids[-1], progress)
+    if "pressure_max" in closer:
+        closer["pressure_max"] = _at_least(quantities["pressure_center"], closer["pressure_max"])
     return known | {name: each for name, each in closer.items() if name not in before or not before[name].error <= each.error}
 
 
@@ -230,6 +232,11 @@ def _settled(said: Sequence[Reading]) -> Quantity:
     return Quantity(value[-1], max(change[-1], change[-2] / 2, said[-1].doubt))
 
 
+def _at_least(center: float, largest: Quantity) -> Quantity:
+    """The largest pressure, which a mesh about the spike knows at its nodes only: the contact's centre is none of them."""
+    return Quantity(max(largest, center), largest.error)
+
+
 def _layer(fields: Fields, pressure_max: Quantity, edge: float) -> Quantity:
     """The inlet's boundary layer, which the spike decides only as what 5 % are taken of."""
     value = boundary_layer(fields, pressure_max, edge)
@@ -265,11 +272,11 @@ def in_other_unit(
     edge : float
         See `softlube.steady.mesh.contact_edge`, in the other unit.
     """
-    lengths = [name for name in SPIKE_QUANTITIES if name in own]  # pressures go like the root of the unit, too
-    result = {name: Quantity(own[name] * unit**-0.5, own[name].error * unit**-0.5) for name in lengths}
+    result = {name: QUANTITIES[name].unit.rescaled(own[name], unit) for name in SPIKE_QUANTITIES if name in own}
+    result["pressure_max"] = _at_least(values["pressure_center"], result["pressure_max"])
     for name in DISCS:
         # Another disc, but the spike is in both, and so is what the grid has missed.
-        missed = (own[name] - on_grid[name]) * unit**-2
-        result[name] = Quantity(values[name] + missed, own[name].error * unit**-2)
+        missed = QUANTITIES[name].unit.rescaled(Quantity(own[name] - on_grid[name], own[name].error), unit)
+        result[name] = Quantity(values[name] + missed, missed.error)
     result["boundary_layer"] = _layer(fields, result["pressure_max"], edge)
     return result

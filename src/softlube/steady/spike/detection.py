@@ -9,14 +9,13 @@ from numpy.typing import NDArray
 
 from softlube.discretization.fields import Fields
 from softlube.model.liquids import Liquid
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import SPIKE, Quantity
 
 Array = NDArray[np.floating]
 
 OUTLET = np.array([np.pi])
-SHARP, SHARPEST = 0.3, 2.0
-"""Change of ln η from a node to the next along r, in the outlet half: up to which the pressure is smooth to the grid, and
-beyond which a spike is a needle on one node (measured)."""
+SHARPEST = 2.0
+"""Change of ln η from a node to the next along r, in the outlet half, beyond which a spike is a needle (measured)."""
 NEAR = 0.6, 1.1
 """Where the spike on the outlet axis is looked for, over the radius of the film's crest."""
 LEFT_OF_FIRST_ORDER = 2.0
@@ -29,8 +28,7 @@ LARGEST_SPIKE_ERROR = 0.1
 """Relative error up to which what goes by a spike is given."""
 WELL_KNOWN = 0.02
 """Relative error of its height up to which a spike needs no mesh of its own."""
-DESCRIPTION = {"spike_pressure": "pressure spike on the outlet axis", "spike_radius": "radius of the spike"}
-SPIKE_QUANTITIES = ("pressure_max", *DESCRIPTION)
+SPIKE_QUANTITIES = ("pressure_max", *SPIKE)
 """What a close-up of the spike gives, see `softlube.steady.spike.closeup`."""
 OPEN_SPIKE = (
     "the pressure has a spike at r = {:.2f} (outlet axis) that is narrower than the finest cells and grows from grid to grid, "
@@ -74,12 +72,6 @@ def outlet_spike(fields: Fields) -> tuple[Array, Array] | None:
     return np.array([fields.r[i], pressure[i]]), np.array(doubt)
 
 
-def steepest_fall(fields: Fields) -> float:
-    """Largest change of ln η from a node to the next along r, in the outlet half: 0 for constant viscosity."""
-    outlet = fields.pressure[:, fields.theta > np.pi / 2]
-    return float(np.max(np.abs(np.diff(np.log(fields.liquid.viscosity(outlet)), axis=0))))
-
-
 def fall_from_top(fields: Fields) -> float:
     """Largest change of ln η from a node to the next along r, within two nodes of the largest pressure."""
     i, j = np.unravel_index(int(np.argmax(fields.pressure)), fields.pressure.shape)
@@ -92,14 +84,9 @@ def ridge_error(fall: float) -> float:
     return RIDGE_ERROR * min(fall / SHARPEST, 1.0)
 
 
-def is_sharp(fields: Fields) -> bool:
-    """Whether the pressure is no smooth function to the grid: what goes by its crest converges like the spacing only."""
-    return steepest_fall(fields) > SHARP
-
-
 def is_needle(fields: Fields) -> bool:
     """Whether the crest stands on one node, so that what goes by it is not known from these nodes at all."""
-    return steepest_fall(fields) > SHARPEST
+    return fields.steepest_fall > SHARPEST
 
 
 def is_compressible(liquid: Liquid) -> bool:
@@ -130,7 +117,7 @@ def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
 
 def wants_close_up(fields: Fields, quantities: Mapping[str, Quantity]) -> bool:
     """Whether there is a spike on the outlet axis that has a height, and the contact's own grids do not tell it well enough."""
-    if is_open(fields) or not is_sharp(fields) or outlet_spike(fields) is None:
+    if is_open(fields) or not fields.is_sharp or outlet_spike(fields) is None:
         return False
     height = quantities.get("spike_pressure")
     return height is None or height.error > WELL_KNOWN * height
@@ -140,7 +127,7 @@ def doubts(fields: Fields, quantities: Mapping[str, Quantity]) -> tuple[str, ...
     """What is said of quantities that are not given."""
     if is_open(fields):
         return (OPEN_SPIKE.format(outlet_crest(fields)),)
-    if not is_sharp(fields):
+    if not fields.is_sharp:
         return ()  # what is nan here has other reasons
     missing = [name for name, value in quantities.items() if np.isnan(value)]
     if is_needle(fields) and "spike_pressure" not in quantities:
