@@ -159,3 +159,9 @@ def test_no_convergence_exits_3_and_writes_nothing(capsys, tmp_path):
     assert "outside the range" in captured.err
     assert captured.out == ""
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("beta", "times"), [("100", "3 times that"), ("1e8", "10 times that")])
+def test_the_report_says_how_accurate_the_minimum_film_was_asked_to_be(beta, times, capsys):
+    assert main(["solve", "--beta-load", beta, "--accuracy", "1e-2"]) == 0
+    assert times in capsys.readouterr().out

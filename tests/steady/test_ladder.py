@@ -284,3 +284,11 @@ def test_errors_are_compared_with_what_cannot_vanish():
     assert yardstick("boundary_layer", values) == pytest.approx(0.0025)
     assert yardstick("film_min_radius", values) == yardstick("film_min_angle_deg", values) == 1
     assert yardstick("load", values) == 2
+
+
+def test_grids_too_coarse_to_be_judged_are_no_solution(monkeypatch):
+    """Where a spike forbids a verdict on every grid, nothing has accepted the result, and it is refused."""
+    monkeypatch.setattr("softlube.steady.ladder.LADDER", (12, 18, 26))
+    monkeypatch.setattr("softlube.steady.ladder.spike_bound", lambda fields: {"pressure_max": 0.0})
+    with pytest.raises(softlube.NotConvergedError, match="no grid is fine enough"):
+        softlube.solve(beta=100)

@@ -246,7 +246,12 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
     what = "Newton steps" if solution.method == "newton" else f"sweeps of the paper's method ({solution.method})"
     console.print(f"Converged in {seconds:.2f} s: grids of {sizes} cells, {steps} {what}.")
     if solution.method == "newton":
-        console.print(f"Errors aimed at: {solution.accuracy:g} of each value (minimum film, maximum shear: three times that).")
+        from softlube.steady.error_estimate import looser
+
+        times = f"{looser(solution.problem)['film_min']:g}"
+        console.print(
+            f"Errors aimed at: {solution.accuracy:g} of each value (minimum film, largest shear: {times} times that)."
+        )
     else:
         console.print("One mesh, so the errors are not known; softlube's own method (--method newton) estimates them.")
     for doubt in solution.warnings:

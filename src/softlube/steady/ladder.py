@@ -297,6 +297,7 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Listener | None) 
     _check_range(problem)
     solved: list[Solved] = []
     worst: dict[str, float] = {}
+    accepted = False
     for rung in climb(problem, progress):
         solved.append(rung)
         if len(solved) < 2:
@@ -308,12 +309,18 @@ def _solve_newton(problem: Problem, accuracy: float, progress: Listener | None) 
             continue
         known = {name: error for name, error in errors.items() if name not in slow}
         worst = unresolved(values, known, accuracy, looser(problem))
-        if not worst and not too_vague(front, values, errors):
+        # What a front decides may stay less accurate than asked: the solution then says so, or does not give it.
+        accepted = not worst
+        if accepted and not too_vague(front, values, errors):
             break
     if len(solved) < 2:
         raise NotConvergedError("only the finest grid has a solution, and nothing tells its error; report the input.")
-    if not worst:
+    if accepted:
         return solution_of(problem, solved, accuracy, progress)
+    if not worst:
+        raise NotConvergedError(
+            "no grid is fine enough for the pressure spike, and nothing tells the errors; report the input."
+        )
     reached = ", ".join(f"{name} {value:.1e}" for name, value in sorted(worst.items(), key=lambda item: -item[1])[:3])
     enough = 2 * max(value / looser(problem).get(name, 1) for name, value in worst.items())
     raise NotConvergedError(
