@@ -19,8 +19,12 @@ if TYPE_CHECKING:
     from softlube.experiments.stribeck import stribeck_curve
     from softlube.files.netcdf import load
     from softlube.model import dry, liquids, substrates
+    from softlube.model.indenters import Sphere
+    from softlube.model.liquids import Barus, DowsonHigginson, Incompressible, Newtonian, Roelands
+    from softlube.model.motions import Sliding
     from softlube.model.problem import Problem
     from softlube.model.quantities import Quantity
+    from softlube.model.substrates import HalfSpace, Layer
     from softlube.physical.contact import Contact
     from softlube.physical.rig import Rig
     from softlube.physical.squeeze import squeeze
@@ -70,15 +74,24 @@ _MODULES = {
 }
 
 __all__ = [
+    "Barus",
     "Contact",
+    "DowsonHigginson",
+    "HalfSpace",
+    "Incompressible",
     "InputError",
+    "Layer",
     "Measurements",
+    "Newtonian",
     "NotConvergedError",
     "Problem",
     "Quantity",
     "Rig",
+    "Roelands",
+    "Sliding",
     "SoftlubeError",
     "Solution",
+    "Sphere",
     "Squeeze",
     "__version__",
     "curve",
@@ -108,8 +121,18 @@ def __getattr__(name: str) -> Any:
         return import_module(f"{__name__}.{_MODULES[name]}")
     if name in _NAMES:
         return getattr(import_module(f"{__name__}.{_NAMES[name]}"), name)
+    if name in (parts := _parts()):
+        return parts[name]
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return sorted({*__all__, *_parts()})
+
+
+def _parts() -> dict[str, Any]:
+    """Parts of an experiment by the names of their classes: whatever stands in the rooms of `softlube.model`."""
+    import_module(f"{__name__}.physical.inputs")
+    slots = import_module(f"{__name__}.model.parts").Part.slots
+    kinds = [kind for kinds in slots.values() for kind in kinds.values()]
+    return {kind.__name__: kind for kind in kinds if kind.__module__.startswith(f"{__name__}.")}

@@ -37,7 +37,7 @@ def test_a_layer_with_barus(base, ratio, cavitation, depth):
     assert solution.film_center.error <= 1e-2 * solution.film_center
     assert (solution.fields.pressure.min() < 0) == (cavitation == "none")
     if depth < 2:
-        thickening = contact.liquid().viscosity(solution.fields.pressure).max()
+        thickening = contact.problem().liquid.viscosity(solution.fields.pressure).max()
         assert 2 < thickening < 5
 
 

@@ -163,3 +163,14 @@ def test_the_version_is_the_release_and_a_digest():
     release, digest = solver_version("steady").split("+")
     assert release == softlube.__version__
     assert len(digest) == 12
+
+
+def test_words_of_inputs_do_not_count_and_their_laws_do(copy):
+    before = versions()
+    path = copy / "model" / "substrates" / "layer.py"
+    text = path.read_text()
+    path.write_text(text.replace("Thickness of the substrate", "How thick it is"))
+    assert path.read_text() != text
+    assert changed(before) == set()
+    path.write_text(text.replace("LARGEST_WAVENUMBER = 18.0", "LARGEST_WAVENUMBER = 19.0"))
+    assert changed(before) == set(ROOMS)

@@ -2,22 +2,42 @@
 
 from __future__ import annotations
 
-from softlube.cli.inputs import Which
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from softlube.cli.inputs import GIVEN, PHYSICAL, one_contact, takes
+from softlube.physical.inputs import SLIDING_BODIES, Loading
 
 
-def flow(which: Which | None = None, *, plot: str, level: float | None = None) -> int:
+@takes((PHYSICAL, SLIDING_BODIES, Loading))
+def flow(
+    *,
+    plot: str,
+    level: float | None = None,
+    solution: Annotated[str | None, Parameter(group=GIVEN)] = None,
+    beta: Annotated[float | None, Parameter(group=GIVEN)] = None,
+    cavitation: Annotated[str | None, Parameter(group=GIVEN)] = None,
+    **physical: str,
+) -> int:
     """Draw streamlines, velocities and wall shear in the film of one contact.
 
     Give --solution (a file of `softlube solve --output`), --beta, or a physical contact.
 
     Parameters
     ----------
-    which
-        The contact.
     plot
         Picture to write (.png, .pdf or .svg).
     level
         Level of the film for the streamlines in the plane, 0 (substrate) to 1 (sphere) [default: mean flow].
+    solution
+        NetCDF file written by `softlube solve --output`.
+    beta
+        β = (2/3)(h0²/R) πG/(ηv) of a dimensionless contact.
+    cavitation
+        "reynolds" (no negative pressure) or "none".
+    **physical
+        Inputs of the experiment, as they are declared.
     """
     import numpy as np
     from rich.console import Console
@@ -34,22 +54,22 @@ def flow(which: Which | None = None, *, plot: str, level: float | None = None) -
     if level is not None and not 0 <= level <= 1:
         raise InputError(f"level: expected a share of the film between 0 (substrate) and 1 (sphere), got {level!r}")
     with status_line("solving") as show:
-        solution = (which or Which()).get(progress=show)
+        solved = one_contact(physical, solution=solution, beta=beta, cavitation=cavitation, progress=show)
         show("drawing")
-        figure, _ = picture(solution, level=level)
+        figure, _ = picture(solved, level=level)
         with whole_file(plot) as temporary:
             figure.savefig(temporary, dpi=300)
 
     angle = np.linspace(0, np.pi / 2, 181)
-    inflow = -2 * float(np.trapezoid(flux(solution, 1.0, angle)[0], angle))
+    inflow = -2 * float(np.trapezoid(flux(solved, 1.0, angle)[0], angle))
     r, theta = np.meshgrid(np.linspace(0, 1.2, 481), np.linspace(0, np.pi, 181), indexing="ij")
-    sphere, substrate = (float(np.max(np.abs(shear_stress(solution, r, theta, level=wall)[0]))) for wall in (1.0, 0.0))
+    sphere, substrate = (float(np.max(np.abs(shear_stress(solved, r, theta, level=wall)[0]))) for wall in (1.0, 0.0))
     console = Console(highlight=False, soft_wrap=True)
-    console.print(f"β = {solution.problem.parameter:.5g}, in the frame of the sphere", markup=False)
-    unit = "δ" if solution.problem.load_controlled else "|h0|"
+    console.print(f"β = {solved.problem.parameter:.5g}, in the frame of the sphere", markup=False)
+    unit = "δ" if solved.problem.load_controlled else "|h0|"
     units = (f"v {unit} a", f"ηv/{unit}")
-    if solution.contact is not None:
-        contact, height = solution.contact, solution.contact.unit_height
+    if solved.contact is not None:
+        contact, height = solved.contact, solved.contact.unit_height
         inflow *= contact.speed * height * contact.unit_length
         scale = contact.viscosity * contact.speed / height
         sphere, substrate, units = sphere * scale, substrate * scale, ("m³/s", "Pa")
@@ -57,6 +77,6 @@ def flow(which: Which | None = None, *, plot: str, level: float | None = None) -
     console.print(
         f"largest shear stress: {sphere:.4g} {units[1]} on the sphere, {substrate:.4g} on the substrate", markup=False
     )
-    console.print(f"net flux out of r ≤ 0.9 a over the flux into it: {net_flux(solution, 0.9):.1e}", markup=False)
+    console.print(f"net flux out of r ≤ 0.9 a over the flux into it: {net_flux(solved, 0.9):.1e}", markup=False)
     console.print(f"Wrote {plot}", markup=False)
     return 0

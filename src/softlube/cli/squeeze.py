@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Group, Parameter
 
-from softlube.cli.inputs import Bodies, Physical
+from softlube.cli.inputs import PHYSICAL, takes
+from softlube.model.motions import Sliding
+from softlube.physical.inputs import BODIES, Approach, StartOfSliding, names_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -20,26 +22,16 @@ if TYPE_CHECKING:
 MOTION = Group("Motion (give one of load, approach speed, history)", sort_key=2)
 SLIDING = Group("Start of sliding", sort_key=3)
 OUTPUT = Group("Output", sort_key=4)
-Moved = Annotated[str | None, Parameter(group=MOTION, allow_leading_hyphen=True)]
 
 
+@takes((PHYSICAL, BODIES), (MOTION, (), Approach), (SLIDING, (Sliding.slot,), StartOfSliding))
 def squeeze(
     *,
-    bodies: Bodies | None = None,
-    density: Physical = None,
-    load: Moved = None,
-    approach_speed: Moved = None,
-    history: Moved = None,
-    initial_height: Moved = None,
-    duration: Moved = None,
-    film_limit: Moved = None,
-    speed: Annotated[str | None, Parameter(group=SLIDING, allow_leading_hyphen=True)] = None,
-    pressed: Annotated[str | None, Parameter(group=SLIDING)] = None,
-    cavitation: Annotated[str | None, Parameter(group=SLIDING)] = None,
     accuracy: float | None = None,
     output: Annotated[str | None, Parameter(group=OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=OUTPUT)] = None,
     as_json: Annotated[bool, Parameter(name="--json", negative=(), group=OUTPUT)] = False,
+    **physical: str,
 ) -> int:
     """Press a sphere through a liquid film onto a soft substrate, or pull it away, and follow the film.
 
@@ -47,28 +39,6 @@ def squeeze(
 
     Parameters
     ----------
-    bodies
-        Sphere, substrate and liquid.
-    density
-        Density of the liquid, for the warning of inertia [default: 1000 kg/m^3].
-    load
-        Constant load, such as "100 mN".
-    approach_speed
-        Constant speed of approach, such as "10 um/s"; negative for separation.
-    history
-        CSV file with columns headed "time, load" or "time, height"; units in brackets if not SI, as in "time [ms]".
-    initial_height
-        Height of the lowest point over the undeformed surface at the start, such as "100 um".
-    duration
-        How long to follow, such as "10 s".
-    film_limit
-        Minimum film at which to stop, such as the roughness, "20 nm".
-    speed
-        Speed of sliding from time 0 on, such as "1 mm/s" [default: no sliding].
-    pressed
-        How long the sphere is pressed, by the load of time 0, before it slides, such as "1 s" [default: not at all].
-    cavitation
-        "reynolds" (no negative pressure) or "none"; without sliding negative pressures are always allowed.
     accuracy
         Relative error of the films aimed at, at every time [default: 1e-3; sliding: 2e-2].
     output
@@ -77,6 +47,8 @@ def squeeze(
         Picture of the profiles and histories (.png, .pdf or .svg).
     as_json
         Print one JSON object and nothing else.
+    **physical
+        Inputs of the experiment, as they are declared.
     """
     import os
     import time
@@ -98,18 +70,16 @@ def squeeze(
             raise InputError("output, plot: expected two different files")
     from softlube.transient.squeeze.result import Squeeze
 
-    sliding = {"pressed": pressed, "cavitation": cavitation}
-    if speed is None:
-        for name, unwanted in sliding.items():
-            if unwanted is not None:
+    if Sliding.inputs.keys() & physical.keys():
+        from softlube.physical.sliding import slide as follow
+    else:
+        for name in names_of((), StartOfSliding):
+            if name in physical:
                 raise InputError(f"{name}: only a start of sliding has it; give --speed or leave it out")
         from softlube.physical.squeeze import squeeze as follow
-    else:
-        from softlube.physical.sliding import slide as follow
-    moved = {"load": load, "approach_speed": approach_speed, "history": history, "initial_height": initial_height}
-    moved |= {"duration": duration, "film_limit": film_limit, "density": density, "accuracy": accuracy, "speed": speed}
-    options: dict[str, Any] = {name: value for name, value in (moved | sliding).items() if value is not None}
-    options |= (bodies or Bodies()).given()
+    if not {"load", "approach_speed", "history"} & physical.keys():
+        raise InputError("load, approach_speed, history: all missing; give exactly one of them")
+    options: dict[str, Any] = physical if accuracy is None else physical | {"accuracy": accuracy}
 
     began = time.perf_counter()
     with status_line("starting", quiet=as_json) as show:

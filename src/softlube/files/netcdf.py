@@ -141,7 +141,7 @@ def load(path: str | os.PathLike[str]) -> Solution:
     attrs: Mapping = data.attrs
     if "height" not in attrs:
         raise InputError(f"path: {str(path)!r} was written by an earlier version of softlube; solve and save it again")
-    problem = Problem.from_plain(json.loads(attrs["problem"]))
+    problem, contact = _inputs(attrs, path)
     quantities = read("")
     levels = json.loads(attrs["levels"])
     return Solution(
@@ -165,8 +165,25 @@ def load(path: str | os.PathLike[str]) -> Solution:
         levels=tuple(Level(**(level | {"history": _records(level["history"], attrs["method"])})) for level in levels),
         method=str(attrs["method"]),
         converged=bool(np.asarray(attrs["converged"]).item()),
-        contact=Contact.from_inputs(json.loads(attrs["inputs_SI"])) if "inputs_SI" in attrs else None,
+        contact=contact,
         dimensional=read(SI_SUFFIX),
         saved_quantities=read(OTHER_SUFFIX),
         warnings=tuple(json.loads(attrs["warnings"])),
     )
+
+
+def _inputs(attributes: Mapping[str, Any], path: str | os.PathLike[str]) -> tuple[Problem, Contact | None]:
+    """The problem of a file and its physical input, if it had one.
+
+    Raises
+    ------
+    InputError
+        If they are of a part that is not known here, or of another version of softlube.
+    """
+    # Development versions of 0.2.0 said "fluid" for "liquid".
+    plain = json.loads(attributes["problem"].replace('"fluid"', '"liquid"'))
+    try:
+        physical = json.loads(attributes["inputs_SI"]) if "inputs_SI" in attributes else None
+        return Problem.from_plain(plain), None if physical is None else Contact.from_inputs(physical)
+    except (InputError, TypeError, KeyError) as error:
+        raise InputError(f"path: {str(path)!r} holds what this version of softlube does not know ({error})") from None

@@ -17,26 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
-from softlube.physical import units
-from softlube.physical.units import KINDS, unit_factor
+from softlube.physical.inputs import declared
+from softlube.physical.units import unit_factor
 
 Array = NDArray[np.floating]
 
 MISSING = frozenset({"", "na", "n/a", "nan", "null", "none", "-", "--", "?"})
 """Cells that say that there is no value, in lower case."""
-ALIASES = {
-    "velocity": "speed",
-    "sliding_speed": "speed",
-    "sliding_velocity": "speed",
-    "normal_load": "load",
-    "normal_force": "load",
-    "friction_force": "friction",
-}
-"""Other headers for the same thing."""
-DIMENSIONLESS = frozenset({"beta", "beta_load", "slide_to_roll", "friction_coefficient", "poisson_ratio"})
-"""Columns that take no unit."""
-SIGNED = frozenset({"friction", "friction_coefficient", *units.SIGNED})
-"""Columns that may be zero or negative: inputs that may, and friction, which a drift of the force sensor can take there."""
+DIMENSIONLESS = frozenset({"beta", "beta_load", "slide_to_roll", "friction_coefficient"})
+"""Columns that are no input of a contact, and take no unit."""
 FEW = 5
 """Lines named one by one in a notice."""
 
@@ -85,7 +74,7 @@ def read_table(
     path : path
         The file: UTF-8 (or UTF-16 with its mark), columns parted by commas, semicolons or tabs.
     required, optional : sequence of str
-        Names of the columns: keys of `softlube.physical.contact.KINDS`, or dimensionless ones.
+        Names of the columns: inputs of `softlube.physical.inputs`, or `DIMENSIONLESS` ones.
     rename : mapping of str to str, optional
         Header in the file, without its unit, for the name of a column where it differs.
     drop_repeats : bool
@@ -210,7 +199,7 @@ def _name_and_unit(cell: str) -> tuple[str, str | None]:
         return cell.strip(), None
     unit = next((match[group] for group in ("square", "round", "slash") if match[group] is not None), None)
     name = re.sub(r"[\s\-]+", "_", match["name"].strip().lower())
-    return ALIASES.get(name, name), unit if unit is None else unit.strip().strip("()")
+    return _synonyms().get(name, name), unit if unit is None else unit.strip().strip("()")
 
 
 def _columns(
@@ -226,20 +215,20 @@ def _columns(
             continue
         if name in found:
             raise InputError(f"{path.name}, line {line}: two columns are called {name}; keep one of them")
-        if name in DIMENSIONLESS:
+        if not (known := declared().get(name)) or not known.unit:
             if unit not in (None, "", "1", "-"):
                 raise InputError(f"{path.name}, line {line}: {name} has no unit, got {unit!r}")
             found[name] = index, 1.0
             continue
         if not unit:
-            example = KINDS[name][1].split()[-1].strip("'")
+            example = known.example.split()[-1]
             raise InputError(
                 f"{path.name}, line {line}: {name} has no unit; expected one in the header, as in '{name} [{example}]'"
             )
         try:
             found[name] = index, unit_factor(name, unit)
         except InputError:
-            message = f"{name} cannot be in {unit!r}; expected a unit of {KINDS[name][1]}"
+            message = f"{name} cannot be in {unit!r}; expected a unit of {known.expected}"
             raise InputError(f"{path.name}, line {line}: {message}") from None
     missing = [name for name in required if name not in found]
     if missing:
@@ -294,11 +283,11 @@ def _numbers(path: Path, title: str, name: str, cells: Sequence[str], where: Seq
     except ValueError:
         values = np.array([_number(path, title, name, cell, where[i], comma) for i, cell in enumerate(cells)])
     impossible = np.isinf(values)
-    if name not in SIGNED:
+    if not _signed(name):
         impossible |= values <= 0
     if impossible.any():
         row = int(np.argmax(impossible))
-        kind = "a finite number" if name in SIGNED else "a positive, finite number"
+        kind = "a finite number" if _signed(name) else "a positive, finite number"
         raise InputError(f"{path.name}, line {where[row]}: {name}: expected {kind} under {title!r}, got {cells[row].strip()!r}")
     return values
 
@@ -316,7 +305,18 @@ def _number(path: Path, title: str, name: str, cell: str, line: int, comma: bool
 
 
 def _expected(name: str) -> str:
-    return KINDS[name][1].replace("such as", "in the unit of the header, such as") if name in KINDS else "a number"
+    known = declared().get(name)
+    return known.expected.replace("such as", "in the unit of the header, such as") if known else "a number"
+
+
+def _signed(name: str) -> bool:
+    """Whether a column may be zero or negative; friction may, which a drift of the force sensor can take there."""
+    return declared()[name].signed if name in declared() else name == "friction_coefficient"
+
+
+def _synonyms() -> dict[str, str]:
+    """Other headers for an input."""
+    return {other: name for name, each in declared().items() for other in each.synonyms}
 
 
 def _notice(text: str, lines: Sequence[int]) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
@@ -92,4 +91,4 @@ def in_units(data: xr.Dataset, setup: Setup | None, more: Mapping[str, Any] | No
         return (data[name] if name in data else data.pressure.min(("r", "theta"))).to_numpy()
 
     doubts = setup.doubts(Extremes.of(data.time.to_numpy(), history))
-    return data.assign_attrs(warnings=json.dumps(doubts), inputs_SI=json.dumps(asdict(setup) | dict(more or {})))
+    return data.assign_attrs(warnings=json.dumps(doubts), inputs_SI=json.dumps(setup.inputs() | dict(more or {})))

@@ -1,88 +1,62 @@
 """The physical contact, in SI units: sphere, substrate, lubricant and motion; Eqs. (4), (5), (6d), (29), (30).
 
-Units exist here and nowhere below: strings go in, floats in SI come out.
+Text with units goes in, floats in SI come out; `softlube.model.inputs` reads it.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from softlube.errors import InputError
-from softlube.model.liquids import Liquid
+from softlube.model.inputs import exactly_one, read
+from softlube.model.liquids.newtonian import NewtonianLaw
+from softlube.model.motions import Sliding
+from softlube.model.parts import resolve
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import QUANTITIES, Quantity
-from softlube.model.substrates import LayerKernel, Substrate
+from softlube.model.substrates.half_space import HalfSpace
+from softlube.model.substrates.layer import LayerKernel
+from softlube.physical.inputs import SLIDING_BODIES, Loading, Taking, check_names, documented
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
     LARGEST_SLOPE,
     Materials,
-    check_choice,
     dry_effect,
     layer_doubt,
-    read_materials,
 )
-from softlube.physical.units import KINDS, to_si
 from softlube.solvers.progress import Listener
 from softlube.steady.solution import Solution
 
 
-def replace_substrate(contact: Contact, thickness: float | None) -> Contact:
-    """The same contact with another thickness of the substrate; None for a half-space."""
-    inputs = contact.inputs() | {"thickness": thickness}
-    return Contact.from_inputs(inputs | ({"base": "bonded"} if thickness is None else {}))
-
-
+@documented(SLIDING_BODIES, Loading)
 @dataclass(frozen=True, init=False)
 class Contact(Materials):
-    """A rigid sphere sliding over a soft half-space or layer with a viscous film between.
+    """A rigid sphere sliding over a soft substrate with a viscous film between.
 
-    Every argument takes text with a unit in any spelling pint knows ("2 mm", "3 MPa", "2 Pa s"), a pint quantity, or a number
-    in SI.  Give exactly one of `young_modulus` and `shear_modulus`, and exactly one of `load` and `indentation`.
+    Parts are given as objects, or by their inputs, from which they follow: a thickness makes the substrate a layer, a
+    pressure-viscosity coefficient makes the liquid one of Barus, or of another law that is named.  Quantities take text with a
+    unit in any spelling pint knows ("2 mm", "3 MPa", "2 Pa s"), a pint quantity, or a number in SI.  Give exactly one of
+    `young_modulus` and `shear_modulus`, and exactly one of `load` and `indentation`.
 
     Parameters
     ----------
-    radius : str, float or pint.Quantity
-        Radius R of the sphere.
-    viscosity : str, float or pint.Quantity
-        Dynamic viscosity η of the liquid.
-    speed : str, float or pint.Quantity
-        Sliding speed v.
-    young_modulus, shear_modulus : str, float or pint.Quantity, optional
-        E or G = E/(2(1 + ν)) of the substrate.
-    load : str, float or pint.Quantity, optional
-        Normal load N.
-    indentation : str, float or pint.Quantity, optional
-        Depth −h₀ of the sphere's lowest point below the undeformed surface; zero or negative where it stays above, by a gap.
-    cavitation : {"reynolds", "none"}
-        Reynolds condition, or negative pressures allowed.
-    thickness : str, float or pint.Quantity, optional
-        Thickness of the substrate, a layer on a rigid base; a half-space where not given.
-    poisson_ratio : float
-        Of the substrate, 0 ≤ ν ≤ 1/2.
-    base : {"bonded", "frictionless"}
-        How a layer lies on its base.
-    pressure_viscosity : str, float or pint.Quantity, optional
-        Pressure-viscosity coefficient α; constant viscosity where not given.
-    viscosity_law : {"barus", "roelands"}
-        The law that α is of; see `softlube.model.liquids`.
-    density_law : {"constant", "dowson-higginson"}
-        How the density rises with the pressure; see `softlube.model.liquids.DowsonHigginsonLaw`.
-    roughness : str, float or pint.Quantity, optional
-        Roughness height; used for a warning only.
-    density : str, float or pint.Quantity
-        Density of the liquid; used for a warning only.
+    indenter, substrate, liquid, compressibility, motion : Part, optional
+        Such as `Sphere`, `Layer`, `Barus`, `DowsonHigginson` and `Sliding` of `softlube`.  A part and an input of the slot that
+        it fills are not given together.
+    {inputs}
 
     Attributes
     ----------
-    radius, viscosity, speed, shear_modulus, density : float
-        In SI.
-    load, indentation, roughness, thickness, pressure_viscosity : float or None
+    indenter, substrate, liquid, compressibility, motion : Part
+    radius, viscosity, speed, shear_modulus, density, … : float, str or None
+        Every input of the parts by its name, in SI; None where the part has no such input.
+    load, indentation, roughness : float or None
         In SI, None where not given.
+    cavitation : {"reynolds", "none"}
 
     Raises
     ------
@@ -91,60 +65,29 @@ class Contact(Materials):
 
     Examples
     --------
-    >>> from softlube import Contact
+    >>> from softlube import Barus, Contact, Layer, Sliding, Sphere
     >>> contact = Contact(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", speed="0.1 mm/s", load="100 mN")
     >>> round(contact.problem().beta_load)
     16430
+    >>> contact = Contact(indenter=Sphere("2 mm"), substrate=Layer(young_modulus="3 MPa", thickness="2 mm"),
+    ...                   liquid=Barus("2 Pa s", pressure_viscosity="20 GPa^-1"), motion=Sliding("0.1 mm/s"), load="100 mN")
+    >>> contact.thickness
+    0.002
     """
 
-    speed: float
+    motion: Sliding
     load: float | None
     indentation: float | None
     cavitation: Cavitation
     roughness: float | None
 
-    def __init__(
-        self,
-        *,
-        radius: object = None,
-        viscosity: object = None,
-        speed: object = None,
-        young_modulus: object = None,
-        shear_modulus: object = None,
-        load: object = None,
-        indentation: object = None,
-        cavitation: str = "reynolds",
-        roughness: object = None,
-        thickness: object = None,
-        density: object = 1000.0,
-        poisson_ratio: object = 0.5,
-        base: str = "bonded",
-        pressure_viscosity: object = None,
-        viscosity_law: str = "barus",
-        density_law: str = "constant",
-    ) -> None:
-        values = read_materials(
-            radius=radius,
-            viscosity=viscosity,
-            young_modulus=young_modulus,
-            shear_modulus=shear_modulus,
-            density=density,
-            thickness=thickness,
-            poisson_ratio=poisson_ratio,
-            base=base,
-            pressure_viscosity=pressure_viscosity,
-            viscosity_law=viscosity_law,
-            density_law=density_law,
-        )
-        if speed is None:
-            raise InputError(f"speed: missing; expected {KINDS['speed'][1]}")
-        check_choice({"load": load, "indentation": indentation})
-        given = {"speed": speed, "load": load, "indentation": indentation, "roughness": roughness}
-        values |= {name: None if value is None else to_si(name, value) for name, value in given.items()}
-        if cavitation not in ("reynolds", "none"):
-            raise InputError(f"cavitation: expected 'reynolds' or 'none', got {cavitation!r}")
-        for name, value in (values | {"cavitation": cavitation}).items():
-            object.__setattr__(self, name, value)
+    __signature__ = Taking(SLIDING_BODIES, Loading)
+
+    def __init__(self, **given: Any) -> None:
+        check_names(given, SLIDING_BODIES, Loading)
+        vars(self).update(resolve(SLIDING_BODIES, given))
+        exactly_one({name: given.get(name) for name in ("load", "indentation")}, Loading.inputs)
+        vars(self).update(read(Loading.inputs, given))
 
     # --- from SI to the dimensionless problem -----------------------------------------------------------------------
 
@@ -159,7 +102,7 @@ class Contact(Materials):
             return self.hertz_indentation(self.load)
         assert self.indentation is not None
         if self.indentation == 0:
-            return math.sqrt(1.5 * self.radius * self.viscosity * self.speed / (math.pi * self.contact_modulus))
+            return math.sqrt(1.5 * self.radius * self.viscosity * self.speed / (math.pi * self.substrate.contact_modulus))
         return abs(self.indentation)
 
     @property
@@ -167,23 +110,16 @@ class Contact(Materials):
         """√(R × `unit_height`) [m]: the radius of the Hertz contact."""
         return math.sqrt(self.radius * self.unit_height)
 
-    def substrate(self) -> Substrate:
-        """What the sphere slides over, dimensionless."""
-        return self.substrate_for(self.unit_height)
-
-    def liquid(self) -> Liquid:
-        """The laws of viscosity and density, dimensionless."""
-        return self.liquid_for(self.unit_height)
-
     def problem(self) -> Problem:
         """The dimensionless problem, Eq. (6d) or (30)."""
-        beta = self.beta(self.unit_height, self.speed)
-        models: dict[str, Any] = {"substrate": self.substrate(), "liquid": self.liquid()}
+        height = self.unit_height
+        beta = self.beta(height, self.speed)
+        models: dict[str, Any] = {"substrate": self.substrate_for(height), "liquid": self.liquid_for(height)}
         if self.load is not None:
             return Problem(beta_load=beta, cavitation=self.cavitation, **models)
         assert self.indentation is not None
-        height = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
-        return Problem(beta=beta, cavitation=self.cavitation, height=height, **models)
+        sign = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
+        return Problem(beta=beta, cavitation=self.cavitation, height=sign, **models)
 
     def solve(self, *, accuracy: float = 1e-3, method: str = "newton", progress: Listener | None = None) -> Solution:
         """Solve the contact.
@@ -264,32 +200,35 @@ class Contact(Materials):
                 f"the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
             )
         doubts += self.thickening_doubt(float(dimensional["pressure_max"]))
-        if self.thickness is not None and not lifted:
-            doubts += self._thickness_effect(dimensional)
+        substrate = self.substrate_for(self.unit_height)
+        if isinstance(substrate, LayerKernel) and not lifted:
+            doubts += self._thickness_effect(substrate, dimensional)
         return tuple(doubts)
 
-    def _thickness_effect(self, dimensional: Mapping[str, Quantity]) -> list[str]:
+    def _thickness_effect(self, substrate: LayerKernel, dimensional: Mapping[str, Quantity]) -> list[str]:
         """What the finite thickness of the substrate changes, computed."""
-        substrate = self.substrate()
-        assert isinstance(substrate, LayerKernel)
         dry, changes = dry_effect(substrate, by_load=self.load is not None)
-        if self.pressure_viscosity is None:
+        thick = HalfSpace(shear_modulus=self.substrate.shear_modulus, poisson_ratio=self.substrate.poisson_ratio)
+        half_space = Contact(**vars(self) | {"substrate": thick})
+        problem = half_space.problem()
+        if problem.liquid == NewtonianLaw():
             from softlube.theory import master_curve as curve
 
-            half_space = replace_substrate(self, None)
-            thick = half_space.dimensional(curve.quantities(half_space.problem()))
+            solid = half_space.dimensional(curve.quantities(problem))
             names = {"film_center": "film at the centre", "film_min": "minimum film", "friction_domain": "friction"}
             for name, text in names.items():
-                ours, theirs = dimensional[name], thick[name]
+                ours, theirs = dimensional[name], solid[name]
                 if np.isfinite(ours):
                     changes[text] = ours / theirs - 1, ours.error / abs(ours) + theirs.error / abs(theirs)
         return layer_doubt(dry, substrate, changes)
 
-    def inputs(self) -> dict[str, float | str | None]:
-        """The inputs in SI, as stored with a solution."""
-        return asdict(self)
-
     @classmethod
     def from_inputs(cls, inputs: Mapping[str, Any]) -> Contact:
-        """Inverse of `inputs`."""
-        return cls(**inputs)
+        """Inverse of `inputs`; takes those of earlier versions, too, which name every input of parts that are not there.
+
+        Raises
+        ------
+        InputError
+            If there is an input that no part has.
+        """
+        return cls(**{name: value for name, value in inputs.items() if value is not None})

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from softlube.errors import InputError
 from softlube.model.problem import Cavitation
 from softlube.physical.contact import Contact
+from softlube.physical.inputs import declared
 from softlube.physical.units import to_si
 
 
@@ -84,10 +85,11 @@ class Rig:
                 raise InputError(f"{name}: missing")
         curvature = 1 / to_si("radius", radius)
         if substrate_radius is not None:
-            curvature += 1 / _named("substrate_radius", "radius", substrate_radius)
+            curvature += 1 / declared()["radius"].read(substrate_radius, "substrate_radius")
         compliance = (1 - poisson_ratio**2) / to_si("young_modulus", young_modulus)
         if ball_young_modulus is not None:
-            compliance += (1 - ball_poisson_ratio**2) / _named("ball_young_modulus", "young_modulus", ball_young_modulus)
+            ball = declared()["young_modulus"].read(ball_young_modulus, "ball_young_modulus")
+            compliance += (1 - ball_poisson_ratio**2) / ball
         object.__setattr__(self, "reduced_radius", 1 / curvature)
         object.__setattr__(self, "reduced_modulus", 1 / compliance)
         object.__setattr__(self, "viscosity", to_si("viscosity", viscosity))
@@ -125,10 +127,3 @@ class Rig:
 def hertz_force(contact: Contact) -> float:
     """Unit of a friction under load control, (2π/3) G δ² with the Hertz indentation δ of the load, Eq. (26) [N]."""
     return 2 * math.pi / 3 * contact.shear_modulus * contact.unit_height**2
-
-
-def _named(name: str, kind: str, value: object) -> float:
-    try:
-        return to_si(kind, value)
-    except InputError as error:
-        raise InputError(str(error).replace(kind, name, 1)) from None

@@ -6,24 +6,19 @@ import csv
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
-from softlube.model.substrates import LayerKernel
-from softlube.physical.materials import (
-    LARGEST_FILM_REYNOLDS,
-    LARGEST_SLOPE,
-    MATERIALS,
-    Materials,
-    dry_effect,
-    layer_doubt,
-    read_materials,
-)
-from softlube.physical.units import in_unit, to_si
+from softlube.model.liquids.incompressible import Incompressible
+from softlube.model.parts import resolve
+from softlube.model.substrates.layer import LayerKernel
+from softlube.physical.inputs import BODIES, Approach, check_names, documented
+from softlube.physical.materials import LARGEST_FILM_REYNOLDS, LARGEST_SLOPE, Materials, dry_effect, layer_doubt
+from softlube.physical.units import in_unit
 from softlube.solvers.progress import Listener
 from softlube.transient.extremes import Extremes
 from softlube.transient.motion import Motion, constant_load, constant_speed, history
@@ -152,62 +147,34 @@ class Setup(Materials):
         return (*doubts, *layer, *self.thickening_doubt(extremes.largest_pressure))
 
 
+@documented(BODIES, Approach)
 def squeeze(
     *,
-    radius: object = None,
-    young_modulus: object = None,
-    shear_modulus: object = None,
-    viscosity: object = None,
-    load: object = None,
-    approach_speed: object = None,
     height: Callable[[float], float] | None = None,
-    history: str | os.PathLike[str] | None = None,
-    initial_height: object = None,
-    duration: object = None,
-    film_limit: object = None,
-    density: object = 1000.0,
-    thickness: object = None,
-    poisson_ratio: object = 0.5,
-    base: str = "bonded",
-    pressure_viscosity: object = None,
-    viscosity_law: str = "barus",
-    density_law: str = "constant",
     accuracy: float = 1e-3,
     progress: Listener | None = None,
+    **given: Any,
 ) -> Squeeze:
-    """Press a rigid sphere through a liquid film onto a soft half-space or layer, or pull it away; no sliding.
+    """Press a rigid sphere through a liquid film onto a soft substrate, or pull it away; no sliding.
 
-    Quantities take text with a unit, a pint quantity, or a number in SI.  Give exactly one of `young_modulus` and
-    `shear_modulus`, and exactly one of `load`, `approach_speed`, `height` and `history`.
+    Parts are given as objects, or by their inputs, as for `softlube.Contact`.  Quantities take text with a unit, a pint
+    quantity, or a number in SI.  Give exactly one of `young_modulus` and `shear_modulus`, and exactly one of `load`,
+    `approach_speed`, `height` and `history`.
 
     Parameters
     ----------
-    radius, viscosity, young_modulus, shear_modulus, density
-        Of the sphere, the liquid and the substrate, as for `softlube.Contact`.
-    thickness, poisson_ratio, base
-        Of the substrate, a layer on a rigid base if its thickness is given, as for `softlube.Contact`.
-    pressure_viscosity, viscosity_law
-        Of the liquid, as for `softlube.Contact`.
-    density_law
-        "constant": other liquids are for steady sliding only.
-    load
-        Constant load, or a function of the time [s] that gives it [N].
-    approach_speed
-        Constant speed of the sphere's far end towards the substrate; negative for separation.
     height
         Function of the time [s] that gives the height of the sphere's lowest point over the undeformed surface [m].
-    history
-        CSV file with the load or the height against time; see `read_history`.
-    initial_height
-        Height at the start; left out where `height` or the file says it.
-    duration
-        How long to follow; left out for a file, which ends by itself.
-    film_limit
-        Minimum film at which to stop, for instance the roughness.
     accuracy
         Relative error of the films aimed at, at every time.
     progress
         Called with a `softlube.solvers.progress.Progress` every 20 time steps, for instance ``print``.
+    indenter, substrate, liquid, compressibility : Part, optional
+        See `softlube.Contact`.  The density must be constant: other liquids are for steady sliding only.
+    **given
+        The parts, and the inputs that follow.  The load may be a function of the time [s] that gives it [N].  A history
+        says itself how long it lasts, and one of the height where it starts: leave `duration` and `initial_height` out then.
+    {inputs}
 
     Returns
     -------
@@ -232,8 +199,8 @@ def squeeze(
     >>> round(fall.final["film_center"] * 1e9), round(fall.final["film_min"] * 1e9)  # nm
     (397, 198)
     """
-    given = {name: value for name, value in locals().items() if name not in ("accuracy", "progress")}
-    setup, motion = read_motion(given)
+    check_names(given, BODIES, Approach)
+    setup, motion = read_motion(given | {"height": height})
     limit = setup.film_limit / setup.unit_height
     return interpreted(follow(motion, accuracy=accuracy, film_limit=limit, progress=progress), setup)
 
@@ -253,34 +220,36 @@ def read_motion(given: Mapping[str, Any], table: Table | None = None) -> tuple[S
     InputError
         If an input is missing, contradictory or impossible.
     """
-    materials = Materials(**read_materials(**{name: given[name] for name in MATERIALS}))
-    ways = {name: given[name] for name in WAYS}
+    materials = Materials(**resolve(BODIES, given))
+    if not isinstance(materials.compressibility, Incompressible):
+        selector = materials.compressibility.selector
+        raise InputError(f"{selector}: the density must be constant where the film changes with time; leave it out")
+    ways = {name: given.get(name) for name in WAYS}
     exactly_one(ways)
-    load, height = given["load"], given["height"]
-    limit = 0.0 if given["film_limit"] is None else to_si("film_limit", given["film_limit"])
+    load, height = ways["load"], ways["height"]
+    known = Approach.inputs
+    limit = 0.0 if given.get("film_limit") is None else known["film_limit"].read(given["film_limit"])
 
-    if table is None and given["history"] is not None:
-        table = read_history(given["history"])
+    if table is None and ways["history"] is not None:
+        table = read_history(ways["history"])
     starts_itself = height is not None or (table is not None and table[0] == "height")
-    for name, kind, unwanted in (("initial_height", "length", starts_itself), ("duration", "time", table is not None)):
-        if unwanted and given[name] is not None:
+    for name, unwanted in (("initial_height", starts_itself), ("duration", table is not None)):
+        if unwanted and given.get(name) is not None:
             raise InputError(f"{name}: the history has its own; leave it out")
-        if not unwanted and given[name] is None:
-            raise InputError(f"{name}: missing; expected a {kind} with its unit")
-    end = float(table[1][-1]) if table is not None else in_unit("duration", given["duration"], "s", "a time such as '10 s'")
-    if not end > 0:
-        raise InputError(f"duration: expected a positive time, got {given['duration'] or end!s}")
+        if not unwanted and given.get(name) is None:
+            raise InputError(f"{name}: missing; expected {known[name].expected}")
+    end = float(table[1][-1]) if table is not None else known["duration"].read(given["duration"])
     function = height if height is not None else load if callable(load) else None
     if starts_itself:
         first = float(height(0.0)) if height is not None else float(table[2][0])  # type: ignore[index]
         if not first > 0:
             raise InputError(f"height: expected a history that starts above the surface, got {first:.3g} m at time 0")
     else:
-        first = to_si("initial_height", given["initial_height"])
+        first = known["initial_height"].read(given["initial_height"])
 
     speed = 0.0
-    if given["approach_speed"] is not None:
-        speed = in_unit("approach_speed", given["approach_speed"], "m/s", "a speed such as '10 um/s', or '-10 um/s'")
+    if ways["approach_speed"] is not None:
+        speed = known["approach_speed"].read(ways["approach_speed"])
         if speed == 0:
             raise InputError("approach_speed: zero; nothing moves the sphere")
     if table is not None:
@@ -288,13 +257,13 @@ def read_motion(given: Mapping[str, Any], table: Table | None = None) -> tuple[S
     elif callable(load):
         largest = max(float(load(t)) for t in np.linspace(0, end, 201))
     else:
-        largest = to_si("load", load) if load is not None else 0.0
+        largest = known["load"].read(load) if load is not None else 0.0
     loaded = load is not None or (table is not None and table[0] == "load")
     if loaded and not largest > 0:
         raise InputError("load: expected a history that presses at some time; got no positive load")
 
     setup = Setup(
-        **asdict(materials),
+        **vars(materials),
         unit_height=materials.hertz_indentation(largest) if loaded else first,
         control="load" if loaded else "height",
         description=next(

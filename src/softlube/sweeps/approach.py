@@ -5,14 +5,15 @@ from __future__ import annotations
 import io
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, fields
-from inspect import signature
 from pathlib import Path
 from typing import Any, ClassVar
 
 from softlube.errors import InputError
+from softlube.model.motions import Sliding
 from softlube.model.quantities import Quantity
+from softlube.physical.inputs import SLIDING_BODIES, Approach, StartOfSliding, names_of
 from softlube.physical.sliding import read_sliding
-from softlube.physical.squeeze import WAYS, Setup, Table, exactly_one, read_history, read_motion, squeeze
+from softlube.physical.squeeze import WAYS, Setup, Table, exactly_one, read_history, read_motion
 from softlube.sweeps.tasks import Outcome, Value, contents
 from softlube.transient.extremes import Extremes
 from softlube.transient.motion import Motion
@@ -21,10 +22,6 @@ from softlube.transient.squeeze import result as squeezing
 
 DIGITS = 12
 """Digits of the normalised motion that count: cases that differ by rounding only are solved once."""
-ONLY_SLIDING = ("pressed", "cavitation")
-"""Inputs of a start of sliding besides its speed."""
-USUAL = {name: known.default for name, known in signature(squeeze).parameters.items() if name not in ("accuracy", "progress")}
-"""What `softlube.squeeze` takes where nothing is given."""
 
 
 @dataclass(frozen=True)
@@ -158,7 +155,7 @@ class ApproachCase:
             in_units(data, self.setup, self.sliding).to_netcdf(temporary, engine="h5netcdf")
 
 
-class Approach:
+class Approaches:
     """Squeeze films; with a speed, starts of sliding.
 
     Parameters
@@ -169,7 +166,11 @@ class Approach:
 
     what: ClassVar[str] = "a squeeze film"
     needs: ClassVar[str] = "radius, viscosity, …, and one of load, approach_speed and history"
-    parameters: ClassVar[tuple[str, ...]] = (*(name for name in USUAL if name != "height"), "speed", *ONLY_SLIDING)
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Inputs of `softlube.squeeze` and of `softlube.physical.sliding.slide`."""
+        return tuple(names_of(SLIDING_BODIES, Approach, StartOfSliding))
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -198,16 +199,17 @@ class Approach:
 
     def case(self, inputs: Mapping[str, Value]) -> ApproachCase:
         """The inputs together as `softlube.squeeze` takes them, or `slide` with a speed."""
-        slides = {name: inputs[name] for name in ("speed", *ONLY_SLIDING) if name in inputs}
-        if slides and "speed" not in slides:
+        sliding = names_of([Sliding.slot], StartOfSliding)
+        slides = {name: inputs[name] for name in sliding if name in inputs}
+        if slides and not slides.keys() & Sliding.inputs.keys():
             raise InputError(f"{next(iter(slides))}: only a start of sliding has it; give a speed or leave it out")
         exactly_one({name: inputs.get(name) for name in WAYS if name in self.parameters})
         table = self._histories.get(str(inputs.get("history")))
-        setup, motion = read_motion(USUAL | {name: inputs[name] for name in inputs if name not in slides}, table)
+        setup, motion = read_motion(inputs, table)
         plain, limit = _rounded(motion.to_plain()), _rounded(setup.film_limit / setup.unit_height)
         if not slides:
             return ApproachCase(dict(inputs), SqueezeTask(plain, limit), setup, {})
-        told, normalised = read_sliding(setup, **slides)
+        told, normalised = read_sliding(setup, slides)
         return ApproachCase(dict(inputs), SlidingTask(plain, _rounded(normalised), limit), setup, told)
 
 

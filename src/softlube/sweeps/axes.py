@@ -14,12 +14,11 @@ import numpy as np
 
 from softlube.errors import InputError
 from softlube.files.tables import read_table
-from softlube.physical.units import to_si
+from softlube.physical.inputs import declared
 from softlube.sweeps.tasks import Value
 
 COMBINATIONS = ("product", "zip")
 DIMENSIONLESS = ("beta", "beta_load")
-TEXT = ("cavitation", "base", "viscosity_law", "density_law", "history")
 MOST_CASES = 100_000
 """Cases that a plan may have: a day of one processor core, or nearly."""
 SPACINGS = {"log": np.geomspace, "linear": np.linspace}
@@ -57,7 +56,7 @@ def read_axes(parameters: Mapping[str, Any], folder: Path) -> tuple[list[Axis], 
             axes.append(Axis([{name: value} for value in values], [""] * len(values)))
     notices: list[str] = []
     for path, columns in by_file.items():
-        text = [name for name in columns if name in TEXT]
+        text = [name for name in columns if _is_text(name)]
         if text:
             raise InputError(f"{text[0]}: expected {text[0]!r} in the plan, not in a column")
         table = read_table(path, list(columns), rename={theirs: ours for ours, theirs in columns.items()})
@@ -82,8 +81,12 @@ def _values(name: str, given: Any) -> list[Value]:
     return [_value(name, given)]
 
 
+def _is_text(name: str) -> bool:
+    return name not in DIMENSIONLESS and declared()[name].is_text
+
+
 def _value(name: str, given: Any) -> Value:
-    if name in TEXT:
+    if _is_text(name):
         if not isinstance(given, str):
             raise InputError(f"{name}: expected a text, got {given!r}")
         return given
@@ -95,13 +98,13 @@ def _value(name: str, given: Any) -> Value:
         if isinstance(given, (bool, str)) or not (math.isfinite(number) and number > 0):
             raise InputError(f"{name}: expected a positive, finite number, got {given!r}")
         return number
-    return to_si(name, given)
+    return declared()[name].read(given)
 
 
 def _range(name: str, given: Mapping[str, Any]) -> list[Value]:
     expected = '{ from = "25 um/s", to = "1 mm/s", count = 12, spacing = "log" }'
     unknown = set(given) - {"from", "to", "count", "spacing"}
-    if unknown or not {"from", "to", "count"} <= set(given) or name in TEXT:
+    if unknown or not {"from", "to", "count"} <= set(given) or _is_text(name):
         raise InputError(f"{name}: expected a value, a list, a column or a range such as {expected}")
     count, spacing = given["count"], given.get("spacing", "log")
     if isinstance(count, bool) or not isinstance(count, int) or not 2 <= count <= MOST_CASES:

@@ -15,7 +15,7 @@ from softlube.errors import InputError
 from softlube.sweeps.axes import COMBINATIONS, combined, read_axes
 from softlube.sweeps.tasks import Case, Kind
 
-MOTIONS = {"steady": "steady:Steady", "squeeze": "approach:Approach"}
+MOTIONS = {"steady": "steady:Steady", "squeeze": "approach:Approaches"}
 """How the sphere moves, and the room that has such cases.  Imported when wanted: a worker needs one of them at most."""
 SETTINGS = ("motion", "combine", "accuracy")
 

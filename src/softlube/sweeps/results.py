@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from softlube.errors import InputError
 from softlube.files.writing import check_destination, whole_file
-from softlube.physical.units import KINDS
+from softlube.physical.inputs import declared
 
 if TYPE_CHECKING:
     import pandas
@@ -48,12 +48,13 @@ def to_table(result: Sweep) -> pandas.DataFrame:
     """
     import pandas as pd
 
+    units = {name: each.unit for name, each in declared().items()}
     rows = []
     for number, (case, key) in enumerate(zip(result.plan.cases, result.keys, strict=True), 1):
         outcome = result.outcomes[key]
         row: dict[str, Any] = {"case": number}
         for name, value in case.inputs.items():
-            row[f"{name} [{KINDS[name][0]}]" if name in KINDS else name] = value
+            row[f"{name} [{units[name]}]" if units.get(name) else name] = value
         row |= {"status": "failed" if outcome.failed else "done", "reason": outcome.reason}
         for name, value in case.numbers(outcome).items():
             row.setdefault(name, value)

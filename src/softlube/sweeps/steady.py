@@ -12,28 +12,10 @@ from softlube.errors import InputError
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity, header
 from softlube.physical.contact import Contact
+from softlube.physical.inputs import SLIDING_BODIES, Loading, names_of
 from softlube.sweeps.axes import DIMENSIONLESS
 from softlube.sweeps.tasks import Outcome, Value, contents
 
-PARAMETERS = (
-    "radius",
-    "young_modulus",
-    "shear_modulus",
-    "viscosity",
-    "speed",
-    "load",
-    "indentation",
-    "roughness",
-    "thickness",
-    "density",
-    "poisson_ratio",
-    "pressure_viscosity",
-    *DIMENSIONLESS,
-    "cavitation",
-    "base",
-    "viscosity_law",
-    "density_law",
-)
 DIGITS = 12
 """Digits of β that count: cases that differ by rounding only are solved once."""
 
@@ -146,7 +128,11 @@ class Steady:
 
     what: ClassVar[str] = "a contact"
     needs: ClassVar[str] = "radius, viscosity, …, or beta"
-    parameters: ClassVar[tuple[str, ...]] = PARAMETERS
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Inputs of `Contact`, β and β by the load."""
+        return (*names_of(SLIDING_BODIES, Loading), *DIMENSIONLESS)
 
     def __init__(self, folder: Path) -> None:
         self.sources: tuple[Path, ...] = ()

@@ -34,7 +34,7 @@ def package_folder() -> Path:
 def solver_version(kind: str) -> str:
     """Release, and a digest of the code that solves a kind of task: results of other code are not taken for its own.
 
-    Comments, docstrings and the layout of the text do not count, nor does the version of Python.
+    Comments, docstrings, declarations of inputs and the layout of the text do not count, nor does the version of Python.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def solver_version(kind: str) -> str:
 
 
 def _meaning(node: Any) -> Any:
-    """A syntax tree as nested tuples, without strings that stand alone and without fields that are empty.
+    """A syntax tree as nested tuples, without strings that stand alone, declarations of inputs, and fields that are empty.
 
     `ast.dump` would do but for its differences between versions of Python, which are in the empty fields.
     """
@@ -57,13 +57,19 @@ def _meaning(node: Any) -> Any:
         fields = ((name, _meaning(value)) for name, value in ast.iter_fields(node) if value not in (None, []))
         return type(node).__name__, *fields
     if isinstance(node, list):
-        return tuple(_meaning(item) for item in node if not _stands_alone(item))
+        return tuple(_meaning(item) for item in node if not (_stands_alone(item) or _declares(item)))
     return node
 
 
 def _stands_alone(node: Any) -> bool:
     """Whether a statement is nothing but a string: a docstring."""
     return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+
+
+def _declares(node: Any) -> bool:
+    """Whether a statement declares an input, ``radius: float = given(…)``: tasks have numbers, whatever they were read from."""
+    called = node.value.func if isinstance(node, ast.AnnAssign | ast.Assign) and isinstance(node.value, ast.Call) else None
+    return isinstance(called, ast.Name) and called.id == "given"
 
 
 def content_key(task: Task, accuracy: float) -> str:

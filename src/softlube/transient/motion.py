@@ -75,7 +75,7 @@ class Motion:
             if not (np.isfinite(value) and value > 0):
                 raise InputError(f"{name}: expected a positive, finite number, got {value!r}")
         if np.any(self.liquid.density(np.ones(1))[1]):
-            raise InputError("density_law: the density must be constant where the film changes with time; leave it out")
+            raise InputError("liquid: the density must be constant where the film changes with time")
         if not np.all(np.isfinite(self.samples)):
             raise InputError("history: not a finite number at every time from 0 to its end")
         if self.control == "load" and not np.any(self.samples):

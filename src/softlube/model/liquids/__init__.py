@@ -4,12 +4,43 @@ Laws are normalised: η and ρ over their values η₀ and ρ₀ at zero pressur
 of 4G).  The Reynolds equation has the fluidity φ = η₀/η as a factor of u³∇p; with the reduced pressure q = ∫ φ dp (Grubin)
 that is u³∇q, bounded however steeply the viscosity rises.  ρ is a factor of the whole flux.  Shear stresses have η/η₀ as a
 factor of the Couette part.
+
+A new liquid is a module here: its law (a `Law`, what the solver calls), its part (a `LiquidPart`, or a `DensityPart`, that
+declares what is given in SI), and a test beside it.  Every module of this folder is imported, so that the part is known to
+`softlube.Contact`, the command line, plans of sweeps and files.
 """
 
-from softlube.model.liquids.barus import BarusLaw
-from softlube.model.liquids.base import Law, Liquid, from_plain, to_plain
-from softlube.model.liquids.dowson_higginson import DowsonHigginsonLaw
-from softlube.model.liquids.newtonian import NewtonianLaw
-from softlube.model.liquids.roelands import RoelandsLaw
+from __future__ import annotations
 
-__all__ = ["BarusLaw", "DowsonHigginsonLaw", "Law", "Liquid", "NewtonianLaw", "RoelandsLaw", "from_plain", "to_plain"]
+from typing import TYPE_CHECKING
+
+from softlube.model.liquids.base import DensityPart, Law, Liquid, LiquidPart, Thickening, from_plain, to_plain
+from softlube.model.parts import members
+
+if TYPE_CHECKING:
+    from softlube.model.liquids.barus import Barus, BarusLaw
+    from softlube.model.liquids.dowson_higginson import DowsonHigginson, DowsonHigginsonLaw
+    from softlube.model.liquids.incompressible import Incompressible
+    from softlube.model.liquids.newtonian import Newtonian, NewtonianLaw
+    from softlube.model.liquids.roelands import Roelands, RoelandsLaw
+
+__all__ = [
+    "Barus",
+    "BarusLaw",
+    "DensityPart",
+    "DowsonHigginson",
+    "DowsonHigginsonLaw",
+    "Incompressible",
+    "Law",
+    "Liquid",
+    "LiquidPart",
+    "Newtonian",
+    "NewtonianLaw",
+    "Roelands",
+    "RoelandsLaw",
+    "Thickening",
+    "from_plain",
+    "to_plain",
+]
+
+globals().update(members(__name__, __path__, (Law, LiquidPart, DensityPart)))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from softlube.model.lazy import numpy as np
-from softlube.model.liquids.base import LARGEST_EXPONENT, Array, Law, check_not_negative
+from softlube.model.liquids.base import LARGEST_EXPONENT, Array, Law, Thickening, check_not_negative
 
 
 @dataclass(frozen=True)
@@ -47,3 +47,14 @@ class BarusLaw(Law):
     def weakened(self, share: float) -> BarusLaw:
         """The law with a share of α."""
         return replace(self, alpha=self.alpha * share)
+
+
+class Barus(Thickening):
+    """A liquid whose viscosity is η₀ e^{αp}."""
+
+    kind: ClassVar[str] = "barus"
+    usual: ClassVar[bool] = True
+
+    def law(self, pressure_unit: float) -> BarusLaw:
+        """Its α over the unit of 1/pressure."""
+        return BarusLaw(self.pressure_viscosity * pressure_unit)

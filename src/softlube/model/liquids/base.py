@@ -1,4 +1,4 @@
-"""What the solver asks of a liquid, and what every law has: its name in files."""
+"""What the solver asks of a liquid, what every law has, and the parts of an experiment that have a law."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ import math
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeAlias
 
 from softlube.errors import InputError
+from softlube.model.inputs import DENSITY, INVERSE_PRESSURE, VISCOSITY, given
 from softlube.model.lazy import numpy as np
+from softlube.model.parts import Part
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -55,11 +57,44 @@ class Law:
     kind: ClassVar[str]
 
     def __init_subclass__(cls) -> None:
-        Law.kinds[cls.kind] = cls
+        if "kind" in vars(cls):  # not yet where a worker of a sweep puts a class together
+            Law.kinds[cls.kind] = cls
 
     def density(self, pressure: Array) -> tuple[Array, Array]:
         """1 and 0."""
         return np.ones_like(pressure), np.zeros_like(pressure)
+
+
+class LiquidPart(Part):
+    """A liquid as a part of an experiment, in SI."""
+
+    slot: ClassVar[str] = "liquid"
+    selector: ClassVar[str] = "viscosity_law"
+    viscosity: float = given("Dynamic viscosity of the liquid", VISCOSITY, "2 Pa s")
+
+    def law(self, pressure_unit: float) -> Liquid:
+        """The law of its viscosity, normalised with a pressure [Pa]."""
+        raise NotImplementedError
+
+
+class Thickening(LiquidPart):
+    """A liquid whose viscosity rises with the pressure, from η₀ with the slope α of ln η."""
+
+    pressure_viscosity: float = given(
+        "Pressure-viscosity coefficient", INVERSE_PRESSURE, "20 GPa^-1", absent="constant viscosity"
+    )
+
+
+class DensityPart(Part):
+    """How the density of a liquid depends on the pressure, as a part of an experiment, in SI."""
+
+    slot: ClassVar[str] = "compressibility"
+    selector: ClassVar[str] = "density_law"
+    density: float = given("Density of the liquid, for the warning of inertia", DENSITY, "970 kg/m^3", default=1000)
+
+    def law(self, liquid: Liquid, pressure_unit: float) -> Liquid:
+        """A liquid with this density, normalised with a pressure [Pa]."""
+        raise NotImplementedError
 
 
 def check_not_negative(name: str, value: float) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from softlube.model.lazy import numpy as np
-from softlube.model.liquids.base import Array, Law, Liquid, check_positive
+from softlube.model.liquids.base import Array, DensityPart, Law, Liquid, check_positive
 
 DENSITY_PRESSURE = 5.9e8
 """Pressure [Pa] at which half of the densest liquid's compression has been had, in Dowson & Higginson's law."""
@@ -64,3 +64,13 @@ class DowsonHigginsonLaw(Law):
     def weakened(self, share: float) -> DowsonHigginsonLaw:
         """The same density, a share of the viscosity's rise."""
         return replace(self, liquid=self.liquid.weakened(share))
+
+
+class DowsonHigginson(DensityPart):
+    """A density that rises by a third at most, as in mineral oils: ρ₀ [1 + 0.34 p/(0.59 GPa + p)]."""
+
+    kind: ClassVar[str] = "dowson-higginson"
+
+    def law(self, liquid: Liquid, pressure_unit: float) -> DowsonHigginsonLaw:
+        """The liquid with this density."""
+        return DowsonHigginsonLaw.of(liquid, pressure_unit)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from softlube.model.lazy import numpy as np
-from softlube.model.liquids.base import Array, Law
+from softlube.model.liquids.base import Array, Law, LiquidPart
 
 
 @dataclass(frozen=True)
@@ -34,3 +34,13 @@ class NewtonianLaw(Law):
     def weakened(self, share: float) -> NewtonianLaw:
         """Itself: nothing depends on the pressure."""
         return self
+
+
+class Newtonian(LiquidPart):
+    """A liquid of constant viscosity."""
+
+    kind: ClassVar[str] = "newtonian"
+
+    def law(self, pressure_unit: float) -> NewtonianLaw:
+        """Constant viscosity, whatever the unit."""
+        return NewtonianLaw()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from softlube.errors import InputError
 from softlube.model.lazy import numpy as np
-from softlube.model.liquids.base import LARGEST_EXPONENT, Array, Law, check_not_negative, check_positive
+from softlube.model.liquids.base import LARGEST_EXPONENT, Array, Law, Thickening, check_not_negative, check_positive
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline
@@ -98,6 +98,16 @@ class RoelandsLaw(Law):
     def weakened(self, share: float) -> RoelandsLaw:
         """The law with a share of α."""
         return replace(self, alpha=self.alpha * share)
+
+
+class Roelands(Thickening):
+    """A liquid whose viscosity rises by Roelands' law."""
+
+    kind: ClassVar[str] = "roelands"
+
+    def law(self, pressure_unit: float) -> RoelandsLaw:
+        """Its law, see `RoelandsLaw.of`."""
+        return RoelandsLaw.of(self.pressure_viscosity, self.viscosity, pressure_unit)
 
 
 @lru_cache(maxsize=32)

@@ -6,10 +6,35 @@ E* = 2G/(1 − ν) has the kernel 1/ρ, in Fourier space 2π/k, Eq. (6b) with 4G
     ∫₀^∞ C(k) J₀(kρ) dk = 1/ρ + ∫₀^∞ (C(k) − 1) J₀(kρ) dk,
 
 a half-space and a smooth remainder.
+
+A new substrate is a module here: its kernel (a `Kernel`, what the solver calls), its part (a `SubstratePart`, that declares
+what is given in SI), and a test beside it.  Every module of this folder is imported, so that the part is known to
+`softlube.Contact`, the command line, plans of sweeps and files.
 """
 
-from softlube.model.substrates.base import Kernel, Orders, Remainder, Substrate, from_plain, to_plain
-from softlube.model.substrates.half_space import HalfSpaceKernel
-from softlube.model.substrates.layer import LayerKernel
+from __future__ import annotations
 
-__all__ = ["HalfSpaceKernel", "Kernel", "LayerKernel", "Orders", "Remainder", "Substrate", "from_plain", "to_plain"]
+from typing import TYPE_CHECKING
+
+from softlube.model.parts import members
+from softlube.model.substrates.base import Kernel, Orders, Remainder, Substrate, SubstratePart, from_plain, to_plain
+
+if TYPE_CHECKING:
+    from softlube.model.substrates.half_space import HalfSpace, HalfSpaceKernel
+    from softlube.model.substrates.layer import Layer, LayerKernel
+
+__all__ = [
+    "HalfSpace",
+    "HalfSpaceKernel",
+    "Kernel",
+    "Layer",
+    "LayerKernel",
+    "Orders",
+    "Remainder",
+    "Substrate",
+    "SubstratePart",
+    "from_plain",
+    "to_plain",
+]
+
+globals().update(members(__name__, __path__, (Kernel, SubstratePart)))

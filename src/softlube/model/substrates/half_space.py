@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from softlube.model.lazy import numpy as np
-from softlube.model.substrates.base import Array, Kernel
+from softlube.model.substrates.base import Array, Kernel, SubstratePart
 
 
 @dataclass(frozen=True)
@@ -26,3 +26,13 @@ class HalfSpaceKernel(Kernel):
     def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
         """Nothing: C = 1."""
         return np.empty(0), np.empty(0)
+
+
+class HalfSpace(SubstratePart):
+    """A substrate much thicker than the contact is wide."""
+
+    kind: ClassVar[str] = "half-space"
+
+    def kernel(self, length_unit: float) -> HalfSpaceKernel:
+        """The half-space's, whatever the unit."""
+        return HalfSpaceKernel()

@@ -8,8 +8,9 @@ from functools import lru_cache
 from typing import Any, ClassVar, Literal, get_args
 
 from softlube.errors import InputError
+from softlube.model.inputs import LENGTH, given
 from softlube.model.lazy import numpy as np
-from softlube.model.substrates.base import Array, Kernel, Orders, check_poisson_ratio
+from softlube.model.substrates.base import Array, Kernel, Orders, SubstratePart
 
 Base = Literal["bonded", "frictionless"]
 
@@ -67,9 +68,8 @@ class LayerKernel(Kernel):
     def __post_init__(self) -> None:
         if not (math.isfinite(self.thickness) and self.thickness > 0):
             raise InputError(f"thickness: expected a positive, finite number, got {self.thickness!r}")
-        check_poisson_ratio(self.poisson_ratio)
-        if self.base not in get_args(Base):
-            raise InputError(f"base: expected 'bonded' or 'frictionless', got {self.base!r}")
+        Layer.inputs["poisson_ratio"].read(self.poisson_ratio)
+        Layer.inputs["base"].read(self.base)
 
     def in_units(self, unit: float) -> LayerKernel:
         """The same layer with another unit of height, given over the present one."""
@@ -132,6 +132,18 @@ class LayerKernel(Kernel):
         value[near] = ((cubic * x + square) * x + slope) * x + here
         value /= self.thickness
         return value
+
+
+class Layer(SubstratePart):
+    """An elastic layer on a rigid base: a slab on a plate, a coating."""
+
+    kind: ClassVar[str] = "layer"
+    thickness: float = given("Thickness of the substrate, a layer on a rigid base", LENGTH, "2 mm", absent="a half-space")
+    base: Base = given("How a layer lies on its base", default="bonded", choices=get_args(Base))
+
+    def kernel(self, length_unit: float) -> LayerKernel:
+        """Its thickness over the unit, its Poisson ratio and its base."""
+        return LayerKernel(self.thickness / length_unit, self.poisson_ratio, self.base)
 
 
 def compliance_defect(kappa: Array, poisson_ratio: float = 0.5, base: Base = "bonded") -> Array:

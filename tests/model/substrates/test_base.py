@@ -1,0 +1,23 @@
+"""What substrates have in common: two moduli for one, and names in files."""
+
+import pytest
+
+from softlube.errors import InputError
+from softlube.model.substrates import HalfSpace, Layer, from_plain
+
+
+def test_either_modulus():
+    by_young, by_shear = Layer("3 MPa", thickness=1e-3), Layer(shear_modulus="1 MPa", thickness="1 mm")
+    assert by_young == by_shear
+    assert by_shear.young_modulus == pytest.approx(3e6)
+    assert "young_modulus" not in by_young.flat()
+    for moduli in ({}, {"young_modulus": 3e6, "shear_modulus": 1e6}):
+        with pytest.raises(
+            InputError, match=r"young_modulus, shear_modulus: are both .*; give exactly one, a pressure such as"
+        ):
+            HalfSpace(**moduli)
+
+
+def test_unknown_kinds_are_refused():
+    with pytest.raises(InputError, match="substrate: no 'jelly' is known; expected 'half-space' or 'layer'"):
+        from_plain({"kind": "jelly"})
