@@ -1,0 +1,36 @@
+"""The tables of docs/inputs.md are the declarations, and its example is a liquid."""
+
+from pathlib import Path
+
+import softlube
+from softlube.model.parts import Part
+from softlube.physical.inputs import SLIDING_BODIES, Approach, Loading, Measured, StartOfSliding
+
+PAGE = Path(__file__).parents[2] / "docs" / "inputs.md"
+
+
+def row(owner, each):
+    unit = each.unit or ("text" if each.is_text else "1")
+    return f"| {owner} | `{each.name}` | {unit} | {each.help} |"
+
+
+def test_every_input_stands_in_the_tables():
+    lines = PAGE.read_text(encoding="utf-8").splitlines()
+    parts = [kind for slot in SLIDING_BODIES for kind in Part.slots[slot].values() if kind.__module__.startswith("softlube.")]
+    expected = [row(f"`{kind.__name__}`", each) for kind in parts for each in kind.inputs.values()]
+    groups = {"steady sliding": Loading, "squeeze film": Approach, "start of sliding": StartOfSliding, "measurement": Measured}
+    expected += [row(name, each) for name, group in groups.items() for each in group.inputs.values()]
+    missing = [line for line in expected if line not in lines]
+    assert not missing, "\n".join(missing)
+    tabled = [
+        line for line in lines if line.startswith("| ") and line.split("|")[2].startswith(" `") and line.split("|")[2].islower()
+    ]
+    assert len(tabled) == len(expected)
+
+
+def test_both_spellings_of_the_page_are_one_contact():
+    blocks = PAGE.read_text(encoding="utf-8").split("```python\n")[1:]
+    names = {}
+    exec(blocks[0].split("```")[0], names)
+    assert names["contact"] == names["twin"]
+    assert isinstance(names["contact"], softlube.Contact)
