@@ -35,7 +35,6 @@ STILL_WITHOUT = [
     "files.transient",
     "files.writing",
     "model.exact",
-    "model.quantities",
     "paper.figures.base",
     "paper.figures.beyond",
     "paper.figures.condition",

@@ -9,6 +9,7 @@ from softlube.discretization import measure as quantities
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.model.exact import HERTZ_LOAD, hertz_pressure
+from softlube.model.liquids import BarusLaw
 
 GRID = PolarGrid(60, 24, layer=0.3)
 X = GRID.r[:, None] * np.cos(GRID.theta)
@@ -43,6 +44,15 @@ def test_the_minimum_film_is_found_wherever_it_is():
     assert measured["film_min"] == pytest.approx(0.3, rel=2e-3)
     assert measured["film_min_radius"] == pytest.approx(3.4, abs=2e-2)
     assert measured["film_min_angle_deg"] == pytest.approx(180, abs=1)
+
+
+def test_no_pressure_at_the_centre_is_above_the_maximum():
+    """A liquid that thickens steeply makes the grid coarse for its pressure, so that the maximum is taken from the nodes."""
+    at = replace(fields(np.exp(-2 * (X**2 + Y**2)), np.ones_like(X)), liquid=BarusLaw(40.0))
+    measured = quantities.measure(at)
+    assert at.is_sharp
+    assert np.max(at.pressure) < measured["pressure_center"] == pytest.approx(1, abs=2e-5)
+    assert measured["pressure_max"] == measured["pressure_center"]
 
 
 def test_a_boundary_layer_inside_the_contact_is_negative():

@@ -10,8 +10,9 @@ import pytest
 from softlube.cli.main import main
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.quantities import QUANTITIES
 from softlube.model.substrates import LayerKernel
-from softlube.transient.squeeze.result import DESCRIPTION
+from softlube.transient.squeeze.integrate import HISTORIES
 
 PAGE = (Path(__file__).parents[2] / "docs" / "squeeze.md").read_text(encoding="utf-8")
 
@@ -25,7 +26,7 @@ def test_command_gives_the_numbers_of_the_page(capsys, monkeypatch, tmp_path, co
     arguments = shlex.split(command)
     assert main([*arguments, "--json"]) == 0
     result = json.loads(capsys.readouterr().out)
-    names = {text: name for name, text in DESCRIPTION.items()}
+    names = {QUANTITIES[name].words: name for name in HISTORIES}
     lines = re.findall(r"^    (\D+?)  +(-?[\d.]+) +([nµ])m$", shown, flags=re.MULTILINE)
     assert len(lines) == 4
     for text, number, prefix in lines:

@@ -9,7 +9,8 @@ import xarray as xr
 import softlube
 from softlube.cli.main import main
 from softlube.errors import InputError
-from softlube.physical.sliding import DESCRIPTION, slide
+from softlube.physical.sliding import slide
+from softlube.transient.sliding.result import HISTORIES
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "load": "100 mN", "speed": "20 mm/s"}
 START = BALL | {"initial_height": "100 um", "duration": "0.2 s", "accuracy": 0.05}
@@ -78,7 +79,7 @@ def test_file(started, tmp_path):
     started.save(tmp_path / "a.nc")
     with xr.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as data:
         assert data.film.dims == ("time", "r", "theta")
-        assert set(DESCRIPTION) <= set(data.data_vars)
+        assert set(HISTORIES) <= set(data.data_vars)
         assert float(data.film[-1].min()) == pytest.approx(float(started.final["film_min"]), rel=2e-2)
     assert json.dumps(started.to_dict(), allow_nan=False)
 

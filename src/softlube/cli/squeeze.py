@@ -103,9 +103,10 @@ def squeeze(
     return 0
 
 
-def _table(quantities: Mapping[str, Quantity], names: Mapping[str, str]) -> Table:
+def _table(quantities: Mapping[str, Quantity]) -> Table:
     """Values with errors and units."""
     from softlube.cli.table import empty_table, rounded
+    from softlube.model.quantities import QUANTITIES
     from softlube.physical.units import prefixed
 
     table = empty_table()
@@ -113,13 +114,11 @@ def _table(quantities: Mapping[str, Quantity], names: Mapping[str, str]) -> Tabl
         factor, unit = prefixed(float(quantity), quantity.unit)
         error = quantity.error * factor
         text, doubt = rounded(float(quantity) * factor, error if error > 1e-9 * abs(float(quantity) * factor) else 0.0)
-        table.add_row(names[name], text, f"± {doubt}", unit)
+        table.add_row(QUANTITIES[name].words, text, f"± {doubt}", unit)
     return table
 
 
 def _report(result: Squeeze, seconds: float, written: list[str]) -> None:
-    from softlube.transient.squeeze.result import DESCRIPTION
-
     scale = 1e-3 * abs(float(result.final["pressure_center"]))
     # The far field's pressure is next to nothing.
     shown = {name: q for name, q in result.final.items() if name not in ("pressure_max", "pressure_min") or abs(q) > scale}
@@ -131,14 +130,12 @@ def _report(result: Squeeze, seconds: float, written: list[str]) -> None:
         f"balance of volume to {result.run.volume_error:.0e}."
     )
     doubt = result.time_error * result.scale("time")[0]
-    _print(result, doubt, "", _table(shown, DESCRIPTION), remarks, last, written)
+    _print(result, doubt, "", _table(shown), remarks, last, written)
 
 
 def _report_sliding(result: Slide, seconds: float, written: list[str]) -> None:
-    from softlube.physical.sliding import DESCRIPTION
-
     last = f"{result.time.size} time steps on {result.angles[-1]} angles in {seconds:.1f} s."
-    _print(result, result.time_error, " of sliding", _table(result.final, DESCRIPTION), [], last, written)
+    _print(result, result.time_error, " of sliding", _table(result.final), [], last, written)
 
 
 def _print(

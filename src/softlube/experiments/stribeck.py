@@ -10,6 +10,7 @@ import numpy as np
 
 from softlube.errors import InputError
 from softlube.experiments.load_curve import Curve, check_friction, curve
+from softlube.model.quantities import header
 from softlube.physical.rig import Rig, hertz_force
 from softlube.physical.units import to_si
 from softlube.solvers.progress import Listener
@@ -138,8 +139,8 @@ def _rows(
     }
     for name in ("film_center", "film_min"):
         film = contact.unit_height * getattr(master, name)(betas)
-        data[f"{name} [m]"] = film
-        data[f"{name}_error [m]"] = film * master.relative_error(name, betas)
+        data[header(name, "m")] = film
+        data[header(name, "m", error=True)] = film * master.relative_error(name, betas)
     if roughness is not None:
         ratio = data["film_min [m]"] / roughness
         data["lambda"] = ratio

@@ -11,8 +11,9 @@ import xarray as xr
 
 from softlube.model import liquids as liquids
 from softlube.model import substrates
+from softlube.model.quantities import QUANTITIES
 from softlube.transient.extremes import Extremes
-from softlube.transient.squeeze.result import DESCRIPTION, DIMENSION
+from softlube.transient.squeeze.integrate import HISTORIES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,35 +21,25 @@ if TYPE_CHECKING:
     from softlube.physical.squeeze import Setup
     from softlube.transient.squeeze.result import Squeeze
 
-SCALES = DIMENSION | {
-    "time": "time",
-    "r": "length",
-    "film": "height",
-    "pressure": "pressure",
-    "volume": "volume",
-    "inflow": "volume",
-    "friction_domain": "friction",
-}
-"""The unit of each variable of a file, its error's too; see `softlube.physical.materials.Materials.scales`."""
-
 
 def to_dataset(result: Squeeze) -> xr.Dataset:
     """Film and pressure on (time, r), the histories with their errors on time; in SI units if the input was physical."""
     run, summary = result.run, result.to_dict()
     coordinates = {
         "time": ("time", run.time, {"long_name": "time since the start"}),
-        "r": ("r", run.film.grid.r, {"long_name": "distance from the axis"}),
+        "r": ("r", run.film.grid.r, {"long_name": QUANTITIES["r"].words}),
     }
     data: dict[str, tuple[Any, ...]] = {
-        "film": (("time", "r"), run.films, {"long_name": "film thickness"}),
-        "pressure": (("time", "r"), run.pressures, {"long_name": "pressure"}),
+        "film": (("time", "r"), run.films, {"long_name": QUANTITIES["film"].words}),
+        "pressure": (("time", "r"), run.pressures, {"long_name": QUANTITIES["pressure"].words}),
     }
-    for name, text in DESCRIPTION.items():
+    for name in HISTORIES:
+        text = QUANTITIES[name].words
         data[name] = ("time", result.histories[name], {"long_name": text})
         data[name + "_error"] = ("time", result.errors[name], {"long_name": f"error of the {text}"})
     for name, values, text in (
-        ("volume", run.volume, "liquid within twice the contact radius of the grid"),
-        ("inflow", run.inflow, "liquid that has flowed in there since the start"),
+        ("volume", run.volume, QUANTITIES["volume"].words),
+        ("inflow", run.inflow, QUANTITIES["inflow"].words),
     ):
         data[name] = ("time", values, {"long_name": text})
     attributes = {
@@ -79,9 +70,9 @@ def in_units(data: xr.Dataset, setup: Setup | None, more: Mapping[str, Any] | No
     """
     scaled = {}
     for name, values in data.variables.items():
-        kind = SCALES.get(str(name).removesuffix("_error"))
-        if kind is not None:
-            factor, unit = setup.units[kind] if setup is not None else (1.0, "1")
+        row = QUANTITIES.get(str(name).removesuffix("_error"))
+        if row is not None:
+            factor, unit = setup.units[row.dimension] if setup is not None else (1.0, "1")
             scaled[name] = (values.dims, values.to_numpy() * factor, values.attrs | {"units": unit})
     data = data.assign_coords({name: scaled.pop(name) for name in list(data.coords) if name in scaled}).assign(scaled)
     if setup is None:

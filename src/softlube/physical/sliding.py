@@ -13,9 +13,9 @@ from softlube.model.parts import resolve
 from softlube.physical.inputs import SLIDING_BODIES, Approach, StartOfSliding, check_names, documented
 from softlube.physical.squeeze import Setup, read_motion
 from softlube.solvers.progress import Listener
-from softlube.transient.sliding.result import DESCRIPTION, Slide, follow_sliding
+from softlube.transient.sliding.result import Slide, follow_sliding
 
-__all__ = ["DESCRIPTION", "Slide", "read_sliding", "slide"]
+__all__ = ["Slide", "read_sliding", "slide"]
 
 
 @documented(SLIDING_BODIES, Approach, StartOfSliding)

@@ -10,6 +10,7 @@ import numpy as np
 
 from softlube.errors import InputError
 from softlube.model.exact import hertz_pressure
+from softlube.model.quantities import FIELDS, QUANTITIES
 from softlube.physical.units import prefixed
 
 if TYPE_CHECKING:
@@ -56,7 +57,8 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
     """Length, film and pressure: factor from normalised to the plotted unit, and label."""
     if solution.contact is None:
         unit = r"\delta" if solution.problem.load_controlled else "|h_0|"
-        return 1.0, rf"$\,/\,\sqrt{{R{unit}}}$", 1.0, rf"film $u/{unit}$", 1.0, rf"pressure $p\,/\,4\pi G\sqrt{{{unit}/R}}$"
+        length, film, pressure = (rf"\,/\,{FIELDS[name].unit.tex.format(unit)}" for name in ("r", "film", "pressure"))
+        return 1.0, f"${length}$", 1.0, _label("film", over=film), 1.0, _label("pressure", over=pressure)
     dimensional, quantities = solution.dimensional, solution.quantities
 
     def scale(name: str) -> float:
@@ -69,10 +71,15 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
         float(dimensional["contact_radius"]) * length_factor,
         f" [{length_unit}]",
         scale("film_center") * film_factor,
-        f"film $u$ [{film_unit}]",
+        _label("film", film_unit),
         scale("pressure_center") * pressure_factor,
-        f"pressure $p$ [{pressure_unit}]",
+        _label("pressure", pressure_unit),
     )
+
+
+def _label(name: str, unit: str = "", *, over: str = "") -> str:
+    """Axis label of a field, in a unit or over what it is normalised with."""
+    return f"{FIELDS[name].words} ${FIELDS[name].symbol}{over}$" + (f" [{unit}]" if unit else "")
 
 
 def _highest(solution: Solution) -> float:
@@ -225,8 +232,6 @@ def plot_curves(curves: Mapping[str, Curve], symbol: str, between: tuple[float, 
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
-
-    from softlube.model.quantities import QUANTITIES
 
     beta = np.geomspace(*between, 400)
     with mpl.rc_context(STYLE):

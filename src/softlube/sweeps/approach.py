@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 
 from softlube.errors import InputError
 from softlube.model.motions import Sliding
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import QUANTITIES, Quantity, header
 from softlube.physical.inputs import SLIDING_BODIES, Approach, StartOfSliding, names_of
 from softlube.physical.sliding import read_sliding
 from softlube.physical.squeeze import WAYS, Setup, Table, exactly_one, read_history, read_motion
@@ -36,7 +36,6 @@ class SqueezeTask:
     """
 
     kind: ClassVar[str] = "squeeze"
-    scales: ClassVar[Mapping[str, str]] = squeezing.DIMENSION | {"end_time": "time", "dimple_time": "time"}
     motion: Mapping[str, Any]
     film_limit: float
 
@@ -70,7 +69,6 @@ class SlidingTask:
     """
 
     kind: ClassVar[str] = "sliding"
-    scales: ClassVar[Mapping[str, str]] = sliding.KIND | {"end_time": "time"}
     motion: Mapping[str, Any]
     sliding: Mapping[str, Any]
     film_limit: float
@@ -127,20 +125,19 @@ class ApproachCase:
         """Warnings, why and when it ended, the last values with their errors, and since when there is a dimple, in SI."""
         if outcome.failed:
             return {}
-        units = {name: self.setup.units[kind] for name, kind in self.task.scales.items()}
         scales = {kind: scale for kind, (scale, _) in self.setup.units.items()}
         extremes = Extremes(**{each.name: float(outcome.facts[each.name]) for each in fields(Extremes)})
         doubts = self.setup.doubts(extremes.scaled(scales["height"], scales["pressure"], scales["time"]))
         row: dict[str, Value] = {"warnings": "; ".join(doubts), "ended_by": outcome.facts["ended_by"]}
         for name, (value, error) in outcome.quantities.items():
-            scale, unit = units[name]
-            row[f"{name} [{unit}]"] = value * scale
-            row[f"{name}_error [{unit}]"] = error * scale
+            scale, unit = self.setup.units[QUANTITIES[name].dimension]
+            row[header(name, unit)] = value * scale
+            row[header(name, unit, error=True)] = error * scale
         if row["ended_by"] == "duration":
             row["end_time [s]"] = self.setup.duration  # as given, not as rounded to be normalised
         if "dimple_time" in outcome.facts:
-            scale, unit = units["dimple_time"]
-            row[f"dimple_time [{unit}]"] = float(outcome.facts["dimple_time"]) * scale
+            scale, unit = self.setup.units[QUANTITIES["dimple_time"].dimension]
+            row[header("dimple_time", unit)] = float(outcome.facts["dimple_time"]) * scale
         return row
 
     def write(self, fields: bytes, path: Path) -> None:

@@ -31,23 +31,11 @@ from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY, Quantity
 from softlube.model.substrates import HalfSpaceKernel
 from softlube.theory import limits
+from softlube.theory.scaling import asymptote
 
 Array = NDArray[np.floating]
 
 TABLE = "data/master_curve.csv"
-OFFSET = {"height": 1.0, "boundary_layer": 1.0}
-"""Added to a quantity that changes sign, to give one that does not: what is left of a Hertz contact's height, and the place on
-the axis instead of its distance from r = 1."""
-LINEAR = {"film_min_radius": 1.0, "film_min_angle_deg": 90.0}
-"""Quantities interpolated as they are, with their limits for β → ∞."""
-EXPONENT = {
-    "friction_domain": -0.4,
-    "shear_rate_max": 0.75,
-    "height": -0.6,
-    "boundary_layer": -0.4,
-    "film_min_angle_deg": -0.25,
-}
-"""Powers of β beyond the table where `softlube.limits` has no law; 0 for the others."""
 SMOOTH = 3e-3
 """What leaving out every other point may change where the curve counts as smooth."""
 CORRECTION = -0.4
@@ -62,7 +50,7 @@ class Curve:
     ----------
     name : str
     spline : CubicSpline
-        Of the quantity, or of its logarithm (with `OFFSET`), over ln β.
+        Of the quantity, or of its logarithm (with the quantity's `offset`), over ln β.
     error : CubicSpline
         Of the logarithm of its error, relative where the spline is of a logarithm.
     law : callable or None
@@ -82,9 +70,9 @@ class Curve:
         from one of two maxima to the other.
         """
         x = np.log(beta)
-        if name not in LINEAR:
-            error = error / np.abs(value + OFFSET.get(name, 0.0))
-            value = np.log(value + OFFSET.get(name, 0.0))
+        if STEADY[name].limit is None:
+            error = error / np.abs(value + STEADY[name].offset)
+            value = np.log(value + STEADY[name].offset)
         coarse = CubicSpline(x[::2], value[::2])
         missed = np.abs(coarse(x) - value)
         between = np.convolve(np.where(missed < SMOOTH, missed / 16, missed), np.ones(3), mode="same")
@@ -100,28 +88,28 @@ class Curve:
         if np.any(x != inside):
             value, doubt = self._continued(value, x, inside)
             error = error + doubt
-        if self.name in LINEAR:
+        if STEADY[self.name].limit is not None:
             return value, error
         positive = np.exp(value)
-        return positive - OFFSET.get(self.name, 0.0), error * positive
+        return positive - STEADY[self.name].offset, error * positive
 
     def _continued(self, value: Array, x: Array, inside: Array) -> tuple[Array, Array]:
         """The spline's value beyond the table's ends, and the doubt that this adds."""
         low, high = float(self.spline.x[0]), float(self.spline.x[-1])
         below, above = np.minimum(x - inside, 0.0), np.maximum(x - inside, 0.0)
         fading = np.exp(CORRECTION * above)
-        if self.name in LINEAR:
-            limit = LINEAR[self.name]
-            faded = limit + (value - limit) * np.exp(EXPONENT.get(self.name, CORRECTION) * above)
+        limit, exponent = STEADY[self.name].limit, STEADY[self.name].exponent
+        if limit is not None:
+            faded = limit + (value - limit) * np.exp((CORRECTION if exponent is None else exponent) * above)
             return np.where(above > 0, faded, value), 0.2 * np.abs(faded - value)
         # Below: the power of β at the end, as uncertain as it still changes over the last decade.
         slope, before = (float(self.spline(place, 1)) for place in (low, low + np.log(10)))
         value = value + slope * below
         doubt = np.abs((slope - before) * below)
         if self.law is None:
-            exponent = EXPONENT.get(self.name, 0.0)
-            drift = np.abs((float(self.spline(high, 1)) - exponent) * above)
-            return value + exponent * above, doubt + drift
+            power = exponent or 0.0
+            drift = np.abs((float(self.spline(high, 1)) - power) * above)
+            return value + power * above, doubt + drift
         at_end = float(self.law(np.exp(high)))
         off = float(self.spline(high)) - np.log(at_end)
         law = np.log(self.law(np.exp(np.maximum(x, high))))
@@ -151,17 +139,6 @@ def _table() -> dict[tuple[str, str], dict[str, Array]]:
     }
 
 
-def _law(name: str, cavitation: str) -> Callable[[Array], Array] | None:
-    """The Hertz limit of a quantity, in either normalisation (β and β_load differ by a factor 1 + O(β^(−3/5)))."""
-    if name in ("film_center", "film_inlet", "friction_contact", "pressure_gradient_inlet"):
-        return getattr(limits, f"{name}_asymptote")
-    if name == "film_outlet_min":
-        return lambda beta: limits.film_outlet_min_asymptote(beta, cavitation)
-    if name == "film_min":
-        return lambda beta: limits.film_min_asymptote(beta, cavitation)
-    return None
-
-
 @cache
 def curve(name: str, normalisation: str = "indentation", cavitation: str = "reynolds") -> Curve:
     """The curve of one quantity.
@@ -189,13 +166,13 @@ def curve(name: str, normalisation: str = "indentation", cavitation: str = "reyn
     if name not in available(normalisation):
         raise InputError(f"quantity: {name} is prescribed where quantities are normalised with the {normalisation}")
     table = _table()[cavitation, normalisation]
-    return Curve.through(name, table["beta"], table[name], table[f"{name}_error"], _law(name, cavitation))
+    return Curve.through(name, table["beta"], table[name], table[f"{name}_error"], asymptote(name, cavitation))
 
 
 def available(normalisation: str) -> list[str]:
     """Names of the quantities that are not prescribed in a normalisation."""
     prescribed = "load" if normalisation == "load" else "height"
-    return [name for name in STEADY if name != prescribed]
+    return [name for name in STEADY if name != prescribed and name in _table()["reynolds", normalisation]]
 
 
 def evaluate(
@@ -257,6 +234,7 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
     return result
 
 
+@cache
 def _function(name: str) -> Callable[..., tuple[Array, Array]]:
     def of_beta(
         beta: ArrayLike | None = None, *, beta_load: ArrayLike | None = None, cavitation: str = "reynolds"
@@ -268,19 +246,12 @@ def _function(name: str) -> Callable[..., tuple[Array, Array]]:
     return of_beta
 
 
-load = _function("load")
-load_contact = _function("load_contact")
-height = _function("height")
-film_center = _function("film_center")
-film_min = _function("film_min")
-film_min_radius = _function("film_min_radius")
-film_min_angle_deg = _function("film_min_angle_deg")
-film_inlet = _function("film_inlet")
-film_outlet_min = _function("film_outlet_min")
-pressure_center = _function("pressure_center")
-pressure_max = _function("pressure_max")
-pressure_gradient_inlet = _function("pressure_gradient_inlet")
-boundary_layer = _function("boundary_layer")
-friction_contact = _function("friction_contact")
-friction_domain = _function("friction_domain")
-shear_rate_max = _function("shear_rate_max")
+def __getattr__(name: str) -> Callable[..., tuple[Array, Array]]:
+    """A function of β for every quantity of the table, such as `film_center`."""
+    if name in STEADY:
+        return _function(name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *STEADY})

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
+from inspect import signature
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from softlube.errors import InputError
 from softlube.model.exact import HERTZ_PRESSURE
+from softlube.model.quantities import STEADY
 from softlube.steady.solution import Solution
 
 Array = NDArray[np.floating]
@@ -63,8 +66,6 @@ class PaperLaw:
         What it is, in words.
     prefactor, exponent : float
         As printed.
-    limit : float or None
-        Exponent of this quantity for β → ∞; None where it is no power of β.
     unit : float
         What the quantity is divided by before it is compared with the law.
     """
@@ -74,12 +75,17 @@ class PaperLaw:
     text: str
     prefactor: float
     exponent: float
-    limit: float | None
     unit: float = 1.0
 
     def __call__(self, beta: ArrayLike) -> Array:
         """The law's value."""
         return self.prefactor * np.asarray(beta, dtype=float) ** self.exponent
+
+    @property
+    def limit(self) -> float | None:
+        """Exponent of the quantity for β → ∞; None where it is no power of β."""
+        row = STEADY[self.quantity]
+        return None if row.offset else row.exponent
 
     def measured(self, solution: Solution) -> float:
         """The solution's value of what the law is of."""
@@ -90,31 +96,39 @@ class PaperLaw:
 # through the layer, crosses r = 1 and ends where Hertz's pressure has that value, at r = 0.99875.  So (21) has no exponent for
 # β → ∞.
 GRADIENT = PaperLaw(
-    "20", "pressure_gradient_inlet", "largest |dp/dr| at the inlet, over p_H(0)", 0.5352, 0.2112, 1 / 5, HERTZ_PRESSURE
+    "20", "pressure_gradient_inlet", "largest |dp/dr| at the inlet, over p_H(0)", 0.5352, 0.2112, HERTZ_PRESSURE
 )
-BOUNDARY_LAYER = PaperLaw("21", "boundary_layer", "inlet boundary layer, to p/p_max = 5 %", 4.216, -0.5077, None)
-FILM_CENTER = PaperLaw("22a", "film_center", "film at the centre", 0.9051, -0.5826, -3 / 5)
-FILM_MIN = PaperLaw("22b", "film_min", "minimum film", 0.9283, -0.6626, -3 / 4)
-FRICTION = PaperLaw("28", "friction_domain", "friction over r ≤ 2", 4.806, -0.4398, -2 / 5)
+BOUNDARY_LAYER = PaperLaw("21", "boundary_layer", STEADY["boundary_layer"].words, 4.216, -0.5077)
+FILM_CENTER = PaperLaw("22a", "film_center", STEADY["film_center"].words, 0.9051, -0.5826)
+FILM_MIN = PaperLaw("22b", "film_min", STEADY["film_min"].words, 0.9283, -0.6626)
+FRICTION = PaperLaw("28", "friction_domain", "friction over r ≤ 2", 4.806, -0.4398)
 LAWS = (GRADIENT, BOUNDARY_LAYER, FILM_CENTER, FILM_MIN, FRICTION)
 """The paper's laws, with (20) over the Hertz maximum and (28) over r ≤ 2, as the data show (docs/paper-comparison.md)."""
 
 
-ASYMPTOTES = {
-    "pressure_gradient_inlet": "pressure_gradient_inlet_asymptote",
-    "film_center": "film_center_asymptote",
-    "film_min": "film_min_asymptote",
-    "film_inlet": "film_inlet_asymptote",
-    "friction_contact": "friction_contact_asymptote",
-}
-"""Functions of `softlube.limits` that give a quantity in the Hertz limit, as functions of β."""
+def asymptote(quantity: str, cavitation: str = "reynolds") -> Callable[[ArrayLike], Array] | None:
+    """The law of a quantity in the Hertz limit β → ∞, with its prefactor, in either normalisation.
 
+    β and β_load differ by a factor 1 + O(β^(−3/5)) there.
 
-def asymptote(quantity: str) -> Callable[[ArrayLike], Array] | None:
-    """The law of a quantity in the Hertz limit β → ∞, with its prefactor; None where `softlube.limits` has none."""
+    Parameters
+    ----------
+    quantity : str
+        A key of `softlube.model.quantities.STEADY`.
+    cavitation : {"reynolds", "none"}
+        Behind the contact.
+
+    Returns
+    -------
+    callable or None
+        None where `softlube.limits` has no law, or the quantity tends to a constant.
+    """
     from softlube.theory import limits
 
-    return getattr(limits, ASYMPTOTES.get(quantity, ""), None)
+    law = getattr(limits, f"{quantity}_asymptote", None)
+    if law is None or STEADY[quantity].exponent == 0:
+        return None
+    return partial(law, cavitation=cavitation) if "cavitation" in signature(law).parameters else law
 
 
 def fit(beta: ArrayLike, values: ArrayLike, *, between: tuple[float, float] | None = None, level: float = 0.95) -> PowerLaw:

@@ -19,7 +19,7 @@ from softlube.errors import InputError, NotConvergedError
 from softlube.model import liquids as liquids
 from softlube.model import substrates
 from softlube.model.problem import Cavitation
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.physical.squeeze import Setup
 from softlube.solvers.progress import Listener
 from softlube.transient.extremes import Extremes
@@ -38,16 +38,9 @@ TOLERANCE = 0.1
 """Tolerance of a time step over the accuracy asked for."""
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-3, 0.1
 JUDGED = ("film_center", "film_min")
-DESCRIPTION = {
-    "film_center": "film at the centre",
-    "film_min": "minimum film",
-    "pressure_max": "largest pressure",
-    "height": "height over the undeformed surface",
-    "load": "load",
-    "friction_domain": "friction over r ≤ 2a",
-}
-"""Where the height is prescribed a = √(R × the initial height), under a load √(R × the Hertz indentation of the largest)."""
-KIND = {name: name.split("_")[0] for name in DESCRIPTION} | {"film_center": "height", "film_min": "height"}
+HISTORIES = ("film_center", "film_min", "pressure_max", "height", "load", "friction_domain")
+"""Histories of a start of sliding.  Where the height is prescribed a = √(R × the initial height), under a load √(R × the Hertz
+indentation of the largest)."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +56,7 @@ class Slide:
     run : SlidingStart
         The finest integration, normalised with the motion's unit of height.
     values, value_errors : mapping of str to ndarray, shape (k,)
-        `DESCRIPTION` lists them; normalised, with estimates of |value − exact|.
+        Of the quantities in `HISTORIES`, see `softlube.model.quantities`; normalised, with estimates of |value − exact|.
     end_error : float
         Estimated error of the normalised time at which the film limit was reached; 0 where it was not.
     angles : tuple of int
@@ -101,18 +94,19 @@ class Slide:
     @cached_property
     def histories(self) -> dict[str, Array]:
         """`values`, in SI if the input was physical."""
-        return {name: values * self.scale(KIND[name])[0] for name, values in self.values.items()}
+        return {name: values * self.scale(QUANTITIES[name].dimension)[0] for name, values in self.values.items()}
 
     @cached_property
     def errors(self) -> dict[str, Array]:
         """`value_errors`, likewise."""
-        return {name: errors * self.scale(KIND[name])[0] for name, errors in self.value_errors.items()}
+        return {name: errors * self.scale(QUANTITIES[name].dimension)[0] for name, errors in self.value_errors.items()}
 
     @property
     def final(self) -> dict[str, Quantity]:
         """The last values with their errors."""
         return {
-            name: Quantity(self.histories[name][-1], self.errors[name][-1], self.scale(KIND[name])[1]) for name in DESCRIPTION
+            name: Quantity(self.histories[name][-1], self.errors[name][-1], self.scale(QUANTITIES[name].dimension)[1])
+            for name in HISTORIES
         }
 
     @property
@@ -147,9 +141,9 @@ class Slide:
         data: dict[str, tuple[Any, ...]] = {}
         for name in ("film", "pressure"):
             data[name] = (("time", "r", "theta"), np.array([getattr(f, name) for f in self.run.fields]), {"long_name": name})
-        for name, text in DESCRIPTION.items():
-            data[name] = ("time", self.values[name], {"long_name": text})
-            data[name + "_error"] = ("time", self.value_errors[name], {"long_name": f"error of the {text}"})
+        for name in HISTORIES:
+            data[name] = ("time", self.values[name], {"long_name": QUANTITIES[name].words})
+            data[name + "_error"] = ("time", self.value_errors[name], {"long_name": f"error of the {QUANTITIES[name].words}"})
         attributes = {
             "title": "Start of sliding",
             "softlube_version": version("softlube"),
@@ -238,7 +232,7 @@ def follow_sliding(
             progress=progress,
         )
         measured = [measure(fields) for fields in started.fields]
-        return started, {name: np.array([each[name] for each in measured]) for name in DESCRIPTION}
+        return started, {name: np.array([each[name] for each in measured]) for name in HISTORIES}
 
     coarse, before = run(LADDER[0])
     worst = np.inf

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError, NotConvergedError
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.solvers.progress import Listener
 from softlube.transient.extremes import Extremes
 from softlube.transient.motion import Motion
@@ -38,19 +38,6 @@ DIMPLE_RADIUS = 0.05
 """Radius of the thinnest ring, over the contact's, from which on there is a dimple."""
 JUDGED = ("film_center", "film_min")
 """Histories whose relative error decides when the grid is fine enough."""
-DESCRIPTION = {
-    "film_center": "film at the centre",
-    "film_min": "minimum film",
-    "film_min_radius": "radius of the minimum film",
-    "pressure_center": "pressure at the centre",
-    "pressure_max": "largest pressure",
-    "pressure_min": "smallest pressure",
-    "height": "height over the undeformed surface",
-    "load": "load",
-}
-DIMENSION = {name: "pressure" if name.startswith("pressure") else "height" for name in HISTORIES}
-DIMENSION |= {"film_min_radius": "length", "load": "load"}
-"""The scale of each history; see `Squeeze.scale`."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +49,8 @@ class Squeeze:
     run : Run
         The finest integration, normalised (see `softlube.transient.squeeze.rings`).
     histories, errors : mapping of str to ndarray, shape (k,)
-        `DESCRIPTION` lists them; normalised, at ``run.time``, with estimates of |value − exact|.
+        Of the quantities in `HISTORIES`, see `softlube.model.quantities`; normalised, at ``run.time``, with estimates of
+        |value − exact|.
     time_error : float
         Estimated error of the time at which the film limit was reached; 0 where it was not.
     accuracy : float
@@ -97,11 +85,11 @@ class Squeeze:
 
     def history(self, name: str) -> Array:
         """One of the histories, in SI units if the input was physical."""
-        return self.histories[name] * self.scale(DIMENSION[name])[0]
+        return self.histories[name] * self.scale(QUANTITIES[name].dimension)[0]
 
     def error(self, name: str) -> Array:
         """Its error, likewise."""
-        return self.errors[name] * self.scale(DIMENSION[name])[0]
+        return self.errors[name] * self.scale(QUANTITIES[name].dimension)[0]
 
     @property
     def r(self) -> Array:
@@ -122,7 +110,8 @@ class Squeeze:
     def final(self) -> dict[str, Quantity]:
         """The histories' last values with their errors."""
         return {
-            name: Quantity(self.history(name)[-1], self.error(name)[-1], self.scale(DIMENSION[name])[1]) for name in HISTORIES
+            name: Quantity(self.history(name)[-1], self.error(name)[-1], self.scale(QUANTITIES[name].dimension)[1])
+            for name in HISTORIES
         }
 
     @property
