@@ -99,11 +99,12 @@ THICKNESSES = (3.0, 1.0, 0.3)
 def layers(beta: float, repeats: int) -> tuple[dict[float, float], dict[float, float], tuple[float, float]]:
     """Median processor time on layers over the half-space's, warm and anew, and the half-space's own in seconds."""
     import softlube
-    from softlube import dry, substrates
+    from softlube import dry
     from softlube.discretization.system import forget_operators
+    from softlube.model.substrates import layer
 
-    cases = {np.inf: {}} | {t: {"substrate": substrates.LayerKernel(t)} for t in THICKNESSES}
-    caches = (dry.dry_contact, dry.dry_contact_at, substrates._remainder_table, substrates._spectrum)
+    cases = {np.inf: {}} | {t: {"substrate": layer.LayerKernel(t)} for t in THICKNESSES}
+    caches = (dry.dry_contact, dry.dry_contact_at, layer._remainder_table, layer._spectrum)
     times: dict[bool, dict[float, list[float]]] = {anew: {t: [] for t in cases} for anew in (False, True)}
     for _ in range(repeats):
         for thickness, arguments in cases.items():
