@@ -132,3 +132,12 @@ def test_all_quantities_of_a_problem():
 def test_wrong_questions_are_refused(call, named):
     with pytest.raises(InputError, match=f"^{named}:"):
         call()
+
+
+def test_a_quantity_younger_than_the_table_is_left_out(monkeypatch):
+    from dataclasses import replace
+
+    monkeypatch.setitem(STEADY, "film_mean", replace(STEADY["film_center"], name="film_mean"))
+    quantities = curve.quantities(Problem(beta=100.0))
+    assert "film_mean" not in quantities
+    assert "film_center" in quantities

@@ -201,7 +201,7 @@ class Contact(Materials):
             )
         doubts += self.thickening_doubt(float(dimensional["pressure_max"]))
         substrate = self.substrate_for(self.unit_height)
-        if isinstance(substrate, LayerKernel) and not lifted:
+        if isinstance(substrate, LayerKernel) and float(dimensional["indentation"]) > 0:  # else no dry contact to compare
             doubts += self._thickness_effect(substrate, dimensional)
         return tuple(doubts)
 

@@ -224,11 +224,12 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
         raise InputError("indentation: the master curve has no prescribed gaps; solve the problem instead")
     given: dict[str, Any] = {"beta_load" if problem.load_controlled else "beta": problem.parameter}
     exact = ("load", limits.HERTZ_LOAD) if problem.load_controlled else ("height", -1.0)
+    known = available("load" if problem.load_controlled else "indentation")
     result = {}
-    for name in STEADY:
+    for name in STEADY:  # in its order; a quantity younger than the table has no curve yet
         if name == exact[0]:
             result[name] = Quantity(exact[1], 0.0)
-        else:
+        elif name in known:
             value, error = evaluate(name, **given, cavitation=problem.cavitation)
             result[name] = Quantity(float(value), float(error))
     return result

@@ -1,0 +1,57 @@
+"""Text with units by the name of an input, and units as they are printed."""
+
+import pint
+import pytest
+
+from softlube.errors import InputError
+from softlube.physical.units import in_unit, prefixed, to_si, unit_factor
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "si"),
+    [
+        ("radius", "2 mm", 2e-3),
+        ("radius", "1 inch", 0.0254),
+        ("young_modulus", "3 MPa", 3e6),
+        ("viscosity", "100 cP", 0.1),
+        ("viscosity", "1 poise", 0.1),
+        ("speed", "6 cm/min", 1e-3),
+        ("load", "1 kgf", 9.80665),
+        ("pressure_viscosity", "20 GPa^-1", 2e-8),
+        ("indentation", "-1 um", -1e-6),
+    ],
+)
+def test_text_quantities_and_numbers_mean_the_same(name, text, si):
+    assert to_si(name, text) == pytest.approx(si, rel=1e-12)
+    assert to_si(name, pint.get_application_registry().Quantity(text)) == pytest.approx(si, rel=1e-12)
+    assert to_si(name, si) == si
+
+
+@pytest.mark.parametrize(("value", "reason"), [("2", "has no unit"), ("2 s", "wrong dimension"), ("2 parrots", "unknown unit")])
+def test_a_radius_that_is_no_length_is_refused_by_name(value, reason):
+    with pytest.raises(InputError, match=rf"radius: .*{reason}.*'2 mm'"):
+        to_si("radius", value)
+
+
+def test_factors_of_units():
+    assert unit_factor("load", "mN") == pytest.approx(1e-3)
+    assert unit_factor("speed", "mm/s") == pytest.approx(1e-3)
+    with pytest.raises(InputError, match="load"):
+        unit_factor("load", "mm")
+
+
+def test_a_quantity_of_any_sign_in_a_unit():
+    assert in_unit("time", "-2 ms", "s", "a time") == pytest.approx(-2e-3)
+    assert in_unit("time", 0.5, "s", "a time") == 0.5
+    for bad in ("inf s", "2 m", "soon"):
+        with pytest.raises(InputError, match=r"time: .*a time"):
+            in_unit("time", bad, "s", "a time")
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "shown"),
+    [(2.5e-7, "m", "250 nm"), (3e6, "Pa", "3 MPa"), (0.1, "N", "100 mN"), (-4e-5, "m", "-40 µm"), (5e13, "Pa", "50000 GPa")],
+)
+def test_prefixes(value, unit, shown):
+    factor, name = prefixed(value, unit)
+    assert f"{value * factor:.6g} {name}" == shown
