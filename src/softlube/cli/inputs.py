@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import update_wrapper
+from functools import cache, update_wrapper
 from inspect import Parameter as Argument
 from inspect import Signature, signature
 from typing import TYPE_CHECKING, Annotated, Any
@@ -60,7 +60,9 @@ class Command:
         return Signature([*own, *(option for name, option in declared.items() if name not in {each.name for each in own})])
 
 
+@cache
 def _option(group: Group, declared: Input) -> Argument:
+    # Kept: cyclopts asks for a command's signature a dozen times.  A new kind of part brings new inputs, so nothing is stale.
     # A negative number is a value, to be refused with the reason, and not an option.
     about = Parameter(group=group, help=declared.help, allow_leading_hyphen=True)
     return Argument(declared.name, Argument.KEYWORD_ONLY, default=None, annotation=Annotated[str | None, about])
