@@ -112,6 +112,15 @@ def test_a_plan_varies_it(syrup, tmp_path):
     assert [case.contact.stiffening for case in column.cases] == pytest.approx([1e-6, 2e-6])
 
 
+def test_a_plan_of_squeeze_films_has_it(syrup):
+    press = BALL | {"viscosity": "2 Pa s", "initial_height": "100 um", "duration": "20 ms", "stiffening": "100 MPa^-1"}
+    del press["speed"]
+    table = softlube.sweep(press, motion="squeeze", accuracy=0.02, workers=1).table
+    assert list(table["status"]) == ["done"], list(table["reason"])
+    own = softlube.squeeze(**press, accuracy=0.02).final["film_center"]
+    assert table["film_center [m]"][0] == pytest.approx(float(own), rel=1e-7)
+
+
 def test_commands_without_liquids_refuse_it_with_the_reason(syrup, capsys):
     assert main(["curve", "--stiffening", "1 MPa^-1"]) == 2
     assert "--stiffening: softlube curve does not take it, the master curve is a half-space's" in capsys.readouterr().err

@@ -1,4 +1,7 @@
-"""The command line; the only module that touches the terminal.  Heavy imports live inside the commands: start-up counts."""
+"""The command line: its commands, what it says of a wrong input, and its exit codes.
+
+Heavy modules are imported inside the commands, so that ``--help`` answers at once.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +38,7 @@ app.command(
     Give --radius, --viscosity, --speed, one of --young-modulus and --shear-modulus, and one of --load and --indentation; or
     --beta (or --beta-load) alone for the dimensionless problem.""",
 )
-app.command("softlube.cli.sweep:sweep", name="sweep", help="Solve many contacts; every finished one is kept.")
+app.command("softlube.cli.sweep:sweep", name="sweep", help="Solve many contacts or squeeze films; every finished one is kept.")
 app.command("softlube.cli.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")
 app.command("softlube.cli.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")
 app.command("softlube.cli.curve:curve", name="curve", help="Print or draw any quantity as a function of β, at once.")

@@ -1,4 +1,4 @@
-"""Pictures of a solution; the only module that touches axes."""
+"""Pictures of a steady solution (film, pressure, mid-plane), and of quantities against β."""
 
 from __future__ import annotations
 

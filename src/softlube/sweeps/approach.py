@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
 from softlube.errors import InputError
+from softlube.model import liquids, substrates
 from softlube.model.motions import Sliding
 from softlube.model.quantities import QUANTITIES, Quantity, header
 from softlube.physical.inputs import SLIDING_BODIES, Approach, StartOfSliding, names_of
@@ -32,11 +33,14 @@ class SqueezeTask:
     ----------
     motion : mapping
         See `softlube.transient.motion.Motion.to_plain`.
+    bodies : mapping
+        The motion's "substrate" and "liquid" as objects: a worker may not know the name of one that the caller's code defines.
     film_limit : float
     """
 
     kind: ClassVar[str] = "squeeze"
     motion: Mapping[str, Any]
+    bodies: Mapping[str, Any]
     film_limit: float
 
     @property
@@ -45,12 +49,12 @@ class SqueezeTask:
         return self.motion["initial_height"], self.motion["duration"]
 
     def to_plain(self) -> dict[str, Any]:
-        """Its attributes."""
+        """Its attributes; the motion names the bodies."""
         return {"motion": dict(self.motion), "film_limit": self.film_limit}
 
     def solve(self, accuracy: float, with_fields: bool) -> Outcome:
         """See `softlube.transient.squeeze.result.follow`."""
-        film = squeezing.follow(Motion.from_plain(self.motion), accuracy=accuracy, film_limit=self.film_limit)
+        film = squeezing.follow(_motion(self), accuracy=accuracy, film_limit=self.film_limit)
         facts = {"ended_by": film.run.ended_by, "dimple_time": film.dimple_time}
         return _outcome(film, facts, with_fields)
 
@@ -63,6 +67,8 @@ class SlidingTask:
     ----------
     motion : mapping
         See `softlube.transient.motion.Motion.to_plain`.
+    bodies : mapping
+        The motion's "substrate" and "liquid" as objects: a worker may not know the name of one that the caller's code defines.
     sliding : mapping
         Arguments of `softlube.transient.sliding.result.follow_sliding`.
     film_limit : float
@@ -70,6 +76,7 @@ class SlidingTask:
 
     kind: ClassVar[str] = "sliding"
     motion: Mapping[str, Any]
+    bodies: Mapping[str, Any]
     sliding: Mapping[str, Any]
     film_limit: float
 
@@ -79,14 +86,17 @@ class SlidingTask:
         return self.sliding["beta"], self.motion["initial_height"], self.motion["duration"]
 
     def to_plain(self) -> dict[str, Any]:
-        """Its attributes."""
+        """Its attributes; the motion names the bodies."""
         return {"motion": dict(self.motion), "sliding": dict(self.sliding), "film_limit": self.film_limit}
 
     def solve(self, accuracy: float, with_fields: bool) -> Outcome:
         """See `softlube.transient.sliding.result.follow_sliding`."""
-        motion = Motion.from_plain(self.motion)
-        start = sliding.follow_sliding(motion, **self.sliding, film_limit=self.film_limit, accuracy=accuracy)
+        start = sliding.follow_sliding(_motion(self), **self.sliding, film_limit=self.film_limit, accuracy=accuracy)
         return _outcome(start, {"ended_by": start.run.ended_by}, with_fields)
+
+
+def _motion(task: SqueezeTask | SlidingTask) -> Motion:
+    return replace(Motion.from_plain({**task.motion, **dict.fromkeys(task.bodies)}), **task.bodies)
 
 
 def _outcome(result: squeezing.Squeeze | sliding.Slide, facts: Mapping[str, Value], with_fields: bool) -> Outcome:
@@ -204,10 +214,11 @@ class Approaches:
         table = self._histories.get(str(inputs.get("history")))
         setup, motion = read_motion(inputs, table)
         plain, limit = _rounded(motion.to_plain()), _rounded(setup.film_limit / setup.unit_height)
+        bodies = {"substrate": substrates.from_plain(plain["substrate"]), "liquid": liquids.from_plain(plain["liquid"])}
         if not slides:
-            return ApproachCase(dict(inputs), SqueezeTask(plain, limit), setup, {})
+            return ApproachCase(dict(inputs), SqueezeTask(plain, bodies, limit), setup, {})
         told, normalised = read_sliding(setup, slides)
-        return ApproachCase(dict(inputs), SlidingTask(plain, _rounded(normalised), limit), setup, told)
+        return ApproachCase(dict(inputs), SlidingTask(plain, bodies, _rounded(normalised), limit), setup, told)
 
 
 def _rounded(plain: Any) -> Any:
