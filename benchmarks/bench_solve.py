@@ -76,17 +76,20 @@ def cost(beta: float) -> tuple[list[tuple[int, float, float]], float, float]:
     from softlube.discretization.system import ContactSystem, forget_operators
     from softlube.model.problem import Problem
     from softlube.solvers.newton import newton
-    from softlube.steady.ladder import LADDER, prolong
-    from softlube.steady.mesh import grid_for, unit_for
+    from softlube.steady.ladder import LADDER
+    from softlube.steady.level import prolong
+    from softlube.steady.mesh import grid_for
+    from softlube.steady.regime import Regime
 
     problem, rows, x, coarse = Problem(beta=beta), [], None, None
+    regime = Regime.of(problem)
     forget_operators()
     for n_theta in LADDER:
-        grid = grid_for(problem, n_theta)
+        grid = grid_for(regime, n_theta)
         began = time.process_time()
-        system = ContactSystem(problem, grid, unit_for(problem))
+        system = ContactSystem(problem, grid, regime.unit)
         built = time.process_time()
-        x = newton(system, system.start() if x is None or coarse is None else prolong(x, coarse, grid, problem)).x
+        x = newton(system, system.start() if x is None or coarse is None else prolong(x, coarse, grid, regime)).x
         rows.append((grid.n_unknown, built - began, time.process_time() - built))
         coarse = grid
     unknowns, building, solving = np.log(np.array(rows)[1:]).T

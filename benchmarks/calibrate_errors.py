@@ -25,7 +25,7 @@ from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY
 from softlube.model.substrates import LayerKernel
 from softlube.steady.error_estimate import yardstick
-from softlube.steady.ladder import solve_problem
+from softlube.steady.solve import solve_problem
 
 
 def random_layer(rng: np.random.Generator) -> Problem:

@@ -15,6 +15,7 @@ from softlube.discretization.system import forget_operators
 from softlube.model.problem import Problem
 from softlube.steady.error_estimate import yardstick
 from softlube.steady.ladder import climb
+from softlube.steady.regime import Regime
 
 REFERENCE = Path(__file__).parent.parent / "tests" / "verification" / "reference.json"
 FINEST = 39
@@ -43,7 +44,7 @@ def main() -> None:
         exact = {name: item["value"] for name, item in case["quantities"].items()}
         label = f"{'β_load' if problem.load_controlled else 'β'} = {problem.parameter:g}"
         label += "" if problem.cavitation == "reynolds" else ", full film"
-        for rung in climb(problem):
+        for rung in climb(Regime.of(problem)):
             values = rung.level.values
             if rung.grid.n_theta > 12:
                 cells = [1e5 * (values[name] - exact[name]) / yardstick(name, exact) for name in COLUMNS]

@@ -17,8 +17,9 @@ import numpy as np
 
 from softlube.discretization.system import forget_operators
 from softlube.model.problem import Problem
-from softlube.steady.ladder import prolong, solve_level
+from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 CASES = [
     *(Problem(beta_load=beta) for beta in (1e-3, 0.1, 1.0, 3.0, 4.5, 10.0)),
@@ -31,15 +32,15 @@ CASES = [
 
 def reference(problem: Problem, n_theta: int = 48) -> dict[str, float]:
     """Quantities on a fine grid that shares nothing with the solver's but the equations."""
-    start, coarse = None, None
+    regime, solved = Regime.of(problem), None
     for n in (18, 30, n_theta):
-        own = grid_for(problem, n)
+        own = grid_for(regime, n)
         grid = replace(own, layer=own.layer * 0.7, side_layer=own.side_layer * 0.8, reach=own.reach * 1.3)
         grid = grid.resized(
             int(np.ceil(grid.xi_of(grid.reach * grid.edge) * own.n_r / own.xi_of(own.reach * own.edge) * 1.2)), n
         )
-        solved = solve_level(problem, grid, None if coarse is None else prolong(start, coarse, grid, problem))
-        start, coarse = solved.x, grid
+        solved = solve_level(regime, grid, solved)
+    assert solved is not None
     values = dict(solved.level.values)
     forget_operators()  # a gigabyte each
     return values

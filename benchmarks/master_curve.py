@@ -25,6 +25,7 @@ from softlube.discretization.system import forget_operators
 from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY
 from softlube.steady.ladder import climb, solution_of
+from softlube.steady.regime import Regime
 
 PER_DECADE = 8
 FINEST = 39
@@ -47,12 +48,12 @@ def problems() -> Iterator[Problem]:
 def rows_of(problem: Problem) -> list[Row]:
     """One line for each normalisation that the solution serves."""
     rungs = []
-    for rung in climb(problem):
+    for rung in climb(Regime.of(problem)):
         rungs.append(rung)
         if rung.grid.n_theta >= FINEST:
             break
     forget_operators()
-    solution = solution_of(problem, rungs, np.nan)
+    solution = solution_of(Regime.of(problem), rungs, np.nan)
     families = {"load" if problem.load_controlled else "indentation": (problem.parameter, solution.quantities)}
     if problem.load_controlled and solution.other_quantities and solution.beta >= DIPPED:
         families["indentation"] = (solution.beta, solution.other_quantities)

@@ -17,8 +17,9 @@ import softlube
 from softlube.discretization.measure import poiseuille_within
 from softlube.model.exact import HERTZ_PRESSURE
 from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, Liquid, RoelandsLaw
-from softlube.steady.spike.closeup import ANGLES, WIDTHS, close_ups
-from softlube.steady.spike.crest import DISCS, readings
+from softlube.steady.refinements.spike.closeup import ANGLES, WIDTHS, close_ups
+from softlube.steady.refinements.spike.crest import DISCS, readings
+from softlube.steady.regime import Regime
 from softlube.theory.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film
 
 COEFFICIENT, VISCOSITY = 20e-9, 0.05
@@ -51,7 +52,7 @@ def main() -> None:
     poiseuille = {name: poiseuille_within(solution.fields, cutoff) for name, cutoff in DISCS.items()}
     print("nodes          cell    spike    radius   largest   friction over r <= a   minimum film   time/s")
     for angles in arguments.angles:
-        for seen in close_ups(solution.problem, solution.fields, arguments.widths, angles):
+        for seen in close_ups(Regime.of(solution.problem), solution.fields, arguments.widths, angles):
             said = readings(seen, poiseuille)
             rings, rays = seen.fields.pressure.shape
             print(

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from softlube.physical.rig import Rig
     from softlube.physical.squeeze import squeeze
     from softlube.readout import flow, free_boundary, friction
-    from softlube.steady.ladder import solve
     from softlube.steady.solution import Solution
+    from softlube.steady.solve import solve
     from softlube.sweeps import sweep
     from softlube.theory import engineering, inlet, limits, scaling, side
     from softlube.theory import master_curve as curve
@@ -53,7 +53,7 @@ _NAMES = {
     "fit": "experiments.fit",
     "load": "files.netcdf",
     "read_measurements": "experiments.measurements",
-    "solve": "steady.ladder",
+    "solve": "steady.solve",
     "squeeze": "physical.squeeze",
     "stribeck_curve": "experiments.stribeck",
     "sweep": "sweeps",

@@ -12,8 +12,9 @@ from softlube.discretization.preconditioner import Border, FilmEquation, local_s
 from softlube.discretization.system import ContactSystem
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
-from softlube.steady.ladder import solve_level
+from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 GRID = PolarGrid(20, 10, layer=0.1)
 PROBLEMS = [
@@ -210,13 +211,11 @@ def test_its_unknowns_are_relative_changes_of_the_film(problem):
 @pytest.mark.parametrize("value", [1e-3, 1.0, 1e3, 1e6])
 def test_a_dozen_iterations_suffice_at_every_beta(name, value, cavitation):
     problem = Problem(**{name: value}, cavitation=cavitation)
-    history = solve_level(problem, grid_for(problem, 12), None).level.history
+    history = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 12)).level.history
     assert max(iteration.krylov for iteration in history) <= 15
 
 
 def test_they_hardly_grow_with_the_grid():
-    problem = Problem(beta=1e4)
-    most = [
-        max(iteration.krylov for iteration in solve_level(problem, grid_for(problem, n), None).level.history) for n in (12, 24)
-    ]
+    regime = Regime.of(Problem(beta=1e4))
+    most = [max(iteration.krylov for iteration in solve_level(regime, grid_for(regime, n)).level.history) for n in (12, 24)]
     assert most[1] <= most[0] + 5

@@ -9,7 +9,8 @@ from softlube.discretization.grid import PolarGrid
 from softlube.discretization.system import ContactSystem
 from softlube.model.exact import HERTZ_LOAD, far_field_profile
 from softlube.model.problem import Problem
-from softlube.steady.mesh import first_height, grid_for, unit_for
+from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 GRID = PolarGrid(20, 10, layer=0.1)
 PROBLEMS = [
@@ -101,8 +102,8 @@ def test_first_guess_has_a_positive_film(given, cavitation):
     name = "beta_load" if "beta_load" in given else "beta"
     for beta in (1e-6, 0.5, 3.0, 100.0, 1e5, 1e9):
         problem = Problem(**(given | {name: beta}), cavitation=cavitation)
-        system = ContactSystem(problem, grid_for(problem, 12), unit_for(problem))
-        start = system.start(first_height(problem) / system.scale)
+        system = ContactSystem(problem, grid_for(Regime.of(problem), 12), Regime.of(problem).unit)
+        start = system.start(Regime.of(problem).first_height / system.scale)
         film, height = system.film(start), system.height(start)
         assert film.min() > 0
         if height > 1:  # rigid: the gap

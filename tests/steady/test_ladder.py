@@ -12,14 +12,15 @@ from softlube.model.quantities import REPORTED_ONLY, STEADY
 from softlube.solvers.newton import newton
 from softlube.steady.error_estimate import LOOSER, estimate_errors, floors_for, yardstick
 from softlube.steady.ladder import COARSE_TOLERANCE, solve_level, solve_problem
-from softlube.steady.mesh import first_height, grid_for, unit_for
+from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 
 def solved(problem, n_theta=18):
     """The system of one grid and its solution, to round-off."""
-    grid = grid_for(problem, n_theta)
-    system = ContactSystem(problem, grid, unit_for(problem))
-    level = solve_level(problem, grid, None)
+    grid = grid_for(Regime.of(problem), n_theta)
+    system = ContactSystem(problem, grid, Regime.of(problem).unit)
+    level = solve_level(Regime.of(problem), grid)
     result = newton(system, level.x, tolerance=1e-12)
     assert np.max(np.abs(system.film_change(result.x - level.x)) / system.film(level.x)) < COARSE_TOLERANCE
     return system, result.x
@@ -147,8 +148,8 @@ def test_load_is_met_to_round_off(problem):
 @pytest.mark.parametrize(("beta_load", "within"), [(1e-4, 0.01), (0.1, 0.06), (1e4, 0.05)])
 def test_the_first_height_is_near(beta_load, within, cavitation):
     problem = Problem(beta_load=beta_load, cavitation=cavitation)
-    values = solve_level(problem, grid_for(problem, 12), None).level.values
-    assert first_height(problem) == pytest.approx(
+    values = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 12)).level.values
+    assert Regime.of(problem).first_height == pytest.approx(
         values["height"], abs=within * max(abs(values["height"]), values["film_center"], 1)
     )
 
@@ -225,7 +226,7 @@ def test_the_light_end_of_the_range_is_solved_at_the_default_accuracy(given, cav
 def test_a_very_large_beta_against_finer_grids():
     """β = 10⁶ on a small grid; the film is some 10⁻⁴ and the layer at the sides 10⁻³ wide."""
     problem = Problem(beta=1e6)
-    values = solve_level(problem, grid_for(problem, 26), None).level.values
+    values = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 26)).level.values
     assert values["film_center"] == pytest.approx(2.71380e-4, abs=2e-7)
     assert values["film_outlet_min"] == pytest.approx(2.13633e-4, abs=2e-7)
     assert values["pressure_gradient_inlet"] == pytest.approx(1.91076, abs=1e-3)
@@ -275,7 +276,7 @@ def test_every_problem_has_a_floor_for_every_quantity():
         Problem(beta=10.0, cavitation="none"),
         Problem(beta_load=1.0, cavitation="none"),
     ):
-        assert set(floors_for(problem)) == set(STEADY)
+        assert set(floors_for(Regime.of(problem))) == set(STEADY)
 
 
 def test_errors_are_compared_with_what_cannot_vanish():

@@ -109,7 +109,7 @@ def test_an_unexpected_error_is_a_failure_of_its_case(monkeypatch):
     def defect(*arguments, **options):
         raise ZeroDivisionError("a defect")
 
-    monkeypatch.setattr("softlube.steady.ladder.solve_problem", defect)
+    monkeypatch.setattr("softlube.steady.solve.solve_problem", defect)
     assert solve_one(SteadyTask(Problem(beta=10)), 1e-3, False).reason == "ZeroDivisionError: a defect"
 
 

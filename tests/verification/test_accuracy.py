@@ -11,7 +11,7 @@ import pytest
 
 from softlube.model.problem import Problem
 from softlube.steady.error_estimate import yardstick
-from softlube.steady.ladder import solve_problem
+from softlube.steady.solve import solve_problem
 
 REFERENCE = json.loads((Path(__file__).parent / "reference.json").read_text())
 CASES = [Problem.from_plain(case["problem"]) for case in REFERENCE]

@@ -9,15 +9,16 @@ import pytest
 
 from softlube.discretization.grid import PolarGrid
 from softlube.model.problem import Problem
-from softlube.steady.ladder import solve_level
+from softlube.steady.level import solve_level
+from softlube.steady.regime import Regime
 
 FINE = {"layer": 0.15, "side_layer": 0.5}
 
 
 def errors(problem, grids, finest, names):
     """Relative errors of quantities on each grid against the finest, shape (grids, names)."""
-    exact = solve_level(problem, finest, None).level.values
-    values = [solve_level(problem, grid, None).level.values for grid in grids]
+    exact = solve_level(Regime.of(problem), finest).level.values
+    values = [solve_level(Regime.of(problem), grid).level.values for grid in grids]
     return np.array([[abs(v[name] / exact[name] - 1) for name in names] for v in values])
 
 

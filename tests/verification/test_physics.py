@@ -9,8 +9,9 @@ import softlube
 from softlube.discretization.system import ContactSystem
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE, half_sommerfeld_load, hertz_pressure, kapitza_pressure
 from softlube.model.problem import Problem
-from softlube.steady.ladder import solve_level
+from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +85,7 @@ def test_rigid_limit():
 def test_a_gap_prescribed_over_a_stiff_substrate_has_the_pressure_of_kapitza(beta, deformation):
     """Without the cavitation condition, at every node: to the deformation p ~ 1/β, then to the error of the grid."""
     problem = Problem(beta=beta, height=1, cavitation="none")
-    fields = solve_level(problem, grid_for(problem, 24), None).fields
+    fields = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 24)).fields
     exact = kapitza_pressure(fields.r[:, None], fields.theta, beta, 1.0)
     assert np.abs(fields.pressure - exact).max() < deformation * exact.max()
     assert fields.film == pytest.approx(np.repeat(1 + fields.r[:, None] ** 2 / 2, fields.theta.size, axis=1), rel=1 / beta)
@@ -96,14 +97,14 @@ def test_height_under_a_light_load(cavitation, exponent):
     heights = []
     for beta in (1e-5, 1e-4, 1e-3):
         problem = Problem(beta_load=beta, cavitation=cavitation)
-        heights.append(solve_level(problem, grid_for(problem, 18), None).level.values["height"])
+        heights.append(solve_level(Regime.of(problem), grid_for(Regime.of(problem), 18)).level.values["height"])
     assert np.diff(np.log(heights)) / np.log(10) == pytest.approx(exponent, abs=2e-4)
 
 
 def test_two_thirds_of_a_rigid_sphere_s_pressure_centre():
     """The rigid pressure x/(5βu²) is largest at r = √(2h₀/3): position and height of the maximum on the inlet axis."""
     problem = Problem(beta=1e6, height=1, cavitation="none")
-    solved = solve_level(problem, grid_for(problem, 24), None)
+    solved = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 24))
     peak = np.sqrt(2 / 3)
     assert solved.level.values["pressure_max"] == pytest.approx(peak / (5e6 * (1 + 1 / 3) ** 2), rel=3e-4)
     assert solved.level.values["pressure_center"] == pytest.approx(0, abs=1e-9)
@@ -119,14 +120,14 @@ def test_a_full_film_is_nearly_antisymmetric_when_nearly_rigid():
 
 def test_the_answer_does_not_depend_on_the_grid_s_reach_or_grading():
     problem = Problem(beta=50.0)
-    grid = grid_for(problem, 27)
+    grid = grid_for(Regime.of(problem), 27)
     for other in (
         replace(grid, reach=40.0),
         replace(grid, side_layer=2 * grid.side_layer),
         replace(grid, layer=grid.layer * 1.4),
     ):
         other = other.resized(int(np.ceil(other.xi_of(other.reach) * 27 / 6)), 27)
-        first, second = solve_level(problem, grid, None).level.values, solve_level(problem, other, None).level.values
+        first, second = solve_level(Regime.of(problem), grid).level.values, solve_level(Regime.of(problem), other).level.values
         for name in ("load", "film_center", "film_inlet", "pressure_center", "friction_domain"):
             assert first[name] == pytest.approx(second[name], rel=5e-4), name
 
@@ -134,8 +135,8 @@ def test_the_answer_does_not_depend_on_the_grid_s_reach_or_grading():
 def test_fields_are_rescaled_consistently():
     """The two normalisations describe the same contact: (6a)-(6c) hold after rescaling from the load's units to |h₀|'s."""
     problem = Problem(beta_load=100.0)
-    grid = grid_for(problem, 18)
-    level = solve_level(problem, grid, None)
+    grid = grid_for(Regime.of(problem), 18)
+    level = solve_level(Regime.of(problem), grid)
     system = ContactSystem(problem, grid)
     fields = system.fields(level.x)
     fields = fields.in_units(-fields.height)

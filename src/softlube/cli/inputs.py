@@ -101,6 +101,6 @@ def one_contact(
         from softlube.physical.contact import Contact
 
         return Contact(**physical, cavitation=cavitation).solve(progress=progress)
-    from softlube.steady.ladder import solve
+    from softlube.steady.solve import solve
 
     return solve(beta, cavitation=cavitation, progress=progress)

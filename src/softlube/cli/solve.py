@@ -124,7 +124,7 @@ def _solve(
 ) -> Solution:
     from softlube.cli.progress import status_line
     from softlube.physical.contact import Contact
-    from softlube.steady.ladder import solve
+    from softlube.steady.solve import solve
 
     contact = Contact(**physical, cavitation=cavitation) if physical else None
     with status_line("solving", quiet=quiet) as show:
@@ -203,8 +203,9 @@ def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
     console.print(f"Converged in {seconds:.2f} s: grids of {sizes} cells, {steps} {what}.")
     if solution.method == "newton":
         from softlube.steady.error_estimate import looser
+        from softlube.steady.regime import Regime
 
-        times = f"{looser(solution.problem)['film_min']:g}"
+        times = f"{looser(Regime.of(solution.problem))['film_min']:g}"
         console.print(
             f"Errors aimed at: {solution.accuracy:g} of each value (minimum film, largest shear: {times} times that)."
         )

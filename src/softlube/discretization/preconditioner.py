@@ -16,11 +16,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
-from scipy.linalg import lapack
 
 from softlube.discretization.elasticity import ElasticOperator
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.reynolds import Sparse, scaled_rows
+from softlube.solvers.band import BandLU
 
 Array = NDArray[np.floating]
 
@@ -62,32 +62,6 @@ def local_stiffness(grid: PolarGrid, substrate: ElasticOperator) -> Sparse:
     size[row[row == column]] = np.sqrt(np.abs(value[row == column]))
     kept = np.abs(value) > SMALLEST * size[row] * size[column]
     return sparse.csr_array((value[kept], (row[kept], column[kept])), (grid.n_unknown, grid.n_unknown))
-
-
-@dataclass(frozen=True)
-class _Band:
-    """LU factors of a band matrix (LAPACK's gbtrf)."""
-
-    lu: Array
-    pivots: NDArray[np.intp]
-    width: int
-
-    @classmethod
-    def of_sum(cls, size: int, *matrices: Sparse) -> _Band:
-        """Factorise the sum of sparse matrices."""
-        entries = [matrix.tocoo() for matrix in matrices]
-        width = max(int(np.max(np.abs(np.subtract(*entry.coords)), initial=0)) for entry in entries)
-        # LAPACK's band, column after column; one index into it is much faster than two.
-        height = 3 * width + 1
-        band = np.zeros(size * height)
-        for entry in entries:
-            row, column = entry.coords
-            band[column * height + (2 * width + row - column)] += entry.data
-        lu, pivots, _ = lapack.dgbtrf(band.reshape(size, height).T, width, width, overwrite_ab=True)
-        return cls(lu, pivots, width)
-
-    def solve(self, right: Array) -> Array:
-        return lapack.dgbtrs(self.lu, self.width, self.width, right, self.pivots)[0]
 
 
 @dataclass(frozen=True)
@@ -139,7 +113,7 @@ class FilmEquation:
         # Both kinds of rows to the same size, so that pivoting compares like with like.
         self._hold = float(np.median(np.abs(balance.diagonal()))) / float(np.median(np.abs(stiffness.diagonal())))
         taken, held = free.astype(float), np.where(free, 0.0, self._hold)
-        self._band = _Band.of_sum(
+        self._band = BandLU.of_sum(
             free.size, scaled_rows(balance, taken), scaled_rows(by_film, taken), scaled_rows(stiffness, held)
         )
         if border is not None:

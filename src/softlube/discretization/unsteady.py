@@ -7,6 +7,7 @@ Each step is a complementarity problem like the steady one, for the same Newton'
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -67,3 +68,12 @@ class Step:
     def linearise(self, x: Array) -> LinearisedStep:
         """Residual and Jacobian at x."""
         return LinearisedStep(self.system, x, self.mass, self.weight, self.known)
+
+
+def implicit_steps(system: ContactSystem) -> Callable[[Array, float], Step]:
+    """Implicit Euler steps of a contact: a function of the state before the step and the step's length.
+
+    Time is in the unit in which the equation at the head of this module holds.
+    """
+    mass = mass_matrix(system)
+    return lambda state, length: Step(system, mass, 1 / length, -system.film(state) / length)

@@ -24,8 +24,8 @@ from softlube.discretization.measure import CONTACT, DOMAIN, integrate
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.problem import Cavitation
 from softlube.solvers.progress import Listener, Progress
-from softlube.steady.ladder import solve
 from softlube.steady.solution import Solution
+from softlube.steady.solve import solve
 
 Array = NDArray[np.floating]
 

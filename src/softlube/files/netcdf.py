@@ -6,10 +6,10 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import asdict
+from functools import partial
 from importlib.metadata import version
 from typing import Any
 
-import numpy as np
 import xarray as xr
 
 from softlube.discretization.fields import Chart, Fields
@@ -20,7 +20,8 @@ from softlube.model.problem import Problem
 from softlube.model.quantities import FIELDS, QUANTITIES, Quantity
 from softlube.physical.contact import Contact
 from softlube.solvers.newton import Iteration
-from softlube.steady.solution import Level, Record, SavedRecord, Solution
+from softlube.steady.level import Level, Record, SavedRecord
+from softlube.steady.solution import Solution
 
 SI_SUFFIX = "_SI"
 OTHER_SUFFIX = "_other"
@@ -73,7 +74,6 @@ def to_dataset(solution: Solution) -> xr.Dataset:
         "title": "Lubricated sliding of a rigid sphere on an elastic half-space",
         "softlube_version": version("softlube"),
         "method": solution.method,
-        "converged": int(solution.converged),
         "beta": solution.beta,
         "beta_load": solution.beta_load,
         "height": fields.height,
@@ -164,10 +164,9 @@ def load(path: str | os.PathLike[str]) -> Solution:
         accuracy=float(attrs["accuracy"]),
         levels=tuple(Level(**(level | {"history": _records(level["history"], attrs["method"])})) for level in levels),
         method=str(attrs["method"]),
-        converged=bool(np.asarray(attrs["converged"]).item()),
         contact=contact,
         dimensional=read(SI_SUFFIX),
-        saved_quantities=read(OTHER_SUFFIX),
+        renormalise=partial(dict, read(OTHER_SUFFIX)),
         warnings=tuple(json.loads(attrs["warnings"])),
     )
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from itertools import takewhile
 
 BOUNDARY_LAYER_LEVEL = 0.05
 """p/p_max at the end of the inlet boundary layer, Eq. (21)."""
@@ -278,6 +279,18 @@ QUANTITIES = STEADY | SPIKE | DERIVED | TRANSIENT | FIELDS
 
 REPORTED_ONLY = tuple(name for name, row in STEADY.items() if row.place)
 """Quantities that have an error but do not decide when the grid is fine enough."""
+
+
+def places_of(name: str) -> tuple[str, ...]:
+    """Names of the rows that say where a quantity is: those that follow its row in `STEADY`.
+
+    Examples
+    --------
+    >>> places_of("film_min")
+    ('film_min_radius', 'film_min_angle_deg')
+    """
+    below = list(STEADY)[list(STEADY).index(name) + 1 :]
+    return tuple(takewhile(lambda each: bool(STEADY[each].place), below))
 
 
 def header(name: str, unit: str = "", *, error: bool = False) -> str:

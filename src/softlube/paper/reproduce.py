@@ -73,7 +73,7 @@ def solve_case(case: Case) -> Solution:
         from softlube.physical.contact import Contact
 
         return Contact(**BALL_ON_RUBBER).solve()
-    from softlube.steady.ladder import solve
+    from softlube.steady.solve import solve
 
     return solve(case.beta, cavitation=case.cavitation, accuracy=case.accuracy)
 

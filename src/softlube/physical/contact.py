@@ -143,7 +143,7 @@ class Contact(Materials):
         NotConvergedError
             If the problem cannot be solved to the accuracy.
         """
-        from softlube.steady.ladder import solve_problem
+        from softlube.steady.solve import solve_problem
 
         return self.interpret(solve_problem(self.problem(), accuracy=accuracy, method=method, progress=progress))
 

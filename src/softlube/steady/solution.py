@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol
@@ -13,6 +13,7 @@ from softlube.discretization.fields import Fields
 from softlube.errors import InputError
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
+from softlube.steady.level import Level
 
 if TYPE_CHECKING:
     import os
@@ -20,50 +21,37 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from softlube.physical.contact import Contact
 
-
-class Record(Protocol):
-    """A piece of a method's history: a Newton step, a run of relaxation sweeps."""
+class PhysicalContact(Protocol):
+    """What a solution and its readers know of a contact in SI; see `softlube.Contact`."""
 
     @property
-    def count(self) -> int:
-        """Number of steps or sweeps in it."""
+    def unit_height(self) -> float:
+        """Unit of height [m]."""
         ...
-
-    def summary(self) -> dict[str, Any]:
-        """Plain values, ready for JSON."""
-        ...
-
-
-@dataclass(frozen=True)
-class SavedRecord:
-    """A record read back from a file, which keeps summaries only."""
-
-    values: Mapping[str, Any]
 
     @property
-    def count(self) -> int:
-        """Number of steps or sweeps in it."""
-        return int(self.values["sweeps"])
+    def unit_length(self) -> float:
+        """Unit of length [m]."""
+        ...
 
-    def summary(self) -> dict[str, Any]:
-        """The values."""
-        return dict(self.values)
+    @property
+    def viscosity(self) -> float:
+        """Viscosity at zero pressure [Pa s]."""
+        ...
 
+    @property
+    def speed(self) -> float:
+        """Sliding speed [m/s]."""
+        ...
 
-@dataclass(frozen=True)
-class Level:
-    """One grid on the way to the answer: its cells (n_r × n_theta), the quantities on it, what the method did, how long; the
-    fields, unless it was read from a file.
-    """
+    def inputs(self) -> dict[str, Any]:
+        """All inputs in plain values, for files."""
+        ...
 
-    n_r: int
-    n_theta: int
-    values: Mapping[str, float]
-    history: tuple[Record, ...]
-    seconds: float
-    fields: Fields | None = None
+    def scales(self, height: float, /) -> Mapping[str, tuple[float, str]]:
+        """Value and name of the SI unit of each dimension."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -90,15 +78,14 @@ class Solution:
         The grids solved, coarse to fine.
     method : str
         The solver: "newton", or the paper's "relaxation" or "cartesian".
-    converged : bool
-    contact : Contact or None
+    contact : PhysicalContact or None
         The physical input.
     dimensional : mapping of str to Quantity
         SI values; empty for a dimensionless problem.
     warnings : tuple of str
         Doubts about the physics of the input.
-    saved_quantities : mapping of str to Quantity
-        `other_quantities`, where they were read from a file.
+    renormalise : callable
+        Gives `other_quantities`; called when they are first asked for, because they take a fifth of the time of the solution.
     """
 
     problem: Problem
@@ -109,20 +96,15 @@ class Solution:
     accuracy: float
     levels: tuple[Level, ...]
     method: str = "newton"
-    converged: bool = True
-    contact: Contact | None = None
+    contact: PhysicalContact | None = None
     dimensional: Mapping[str, Quantity] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
-    saved_quantities: Mapping[str, Quantity] = field(default_factory=dict)
+    renormalise: Callable[[], Mapping[str, Quantity]] = field(default=dict, repr=False, compare=False)
 
     @cached_property
     def other_quantities(self) -> Mapping[str, Quantity]:
         """Quantities normalised the other way; empty for h₀ ≥ 0, where |h₀| is no scale.  See `normalised`."""
-        if any(level.fields is None for level in self.levels):
-            return self.saved_quantities
-        from softlube.steady.ladder import normalised_otherwise
-
-        return normalised_otherwise(self.problem, self.levels, self.quantities)
+        return self.renormalise()
 
     def normalised(self, by: str) -> Mapping[str, Quantity]:
         """Quantities normalised with the indentation |h₀| or with the Hertz indentation of the load.
@@ -197,7 +179,6 @@ class Solution:
             "beta_load": self.beta_load,
             "cavitation": self.problem.cavitation,
             "accuracy": _number(self.accuracy),
-            "converged": self.converged,
             "method": self.method,
             "quantities": plain(self.quantities, unit=False),
         }

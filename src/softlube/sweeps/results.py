@@ -3,19 +3,63 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from softlube.errors import InputError
 from softlube.files.writing import check_destination, whole_file
 from softlube.physical.inputs import declared
+from softlube.sweeps.plan import Plan
+from softlube.sweeps.tasks import Outcome
 
 if TYPE_CHECKING:
     import pandas
 
-    from softlube.sweeps.run import Sweep
-
 FORMATS = (".csv", ".parquet")
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """A finished sweep.
+
+    Attributes
+    ----------
+    plan : Plan
+    keys : tuple of str
+        Of every case, in the plan's order.
+    outcomes : mapping of str to Outcome
+        By key.
+    n_found : int
+        Number of outcomes that were in the store at the start.
+    n_foreign : int
+        Number of outcomes in the store that came of other code, an older version for instance: kept, and not used.
+    """
+
+    plan: Plan
+    keys: tuple[str, ...]
+    outcomes: Mapping[str, Outcome]
+    n_found: int
+    n_foreign: int = 0
+
+    @property
+    def n_failed(self) -> int:
+        """Cases without a solution."""
+        return sum(self.outcomes[key].failed for key in self.keys)
+
+    @property
+    def table(self) -> pandas.DataFrame:
+        """One row a case: inputs, status, quantities and their errors, units in the headers."""
+        return to_table(self)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the table as CSV or Parquet, by the file's ending, whole or not at all."""
+        save_table(self.table, path)
+
+    def save_fields(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Write the solution of every solved case as NetCDF (case-00001.nc for the table's case 1); needs ``fields=True``."""
+        return write_fields(self, folder)
 
 
 def check_table(name: str, path: str | os.PathLike[str]) -> Path:

@@ -7,73 +7,21 @@ import time
 from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
-from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from softlube.errors import InputError
 from softlube.solvers.progress import Listener, Progress
 from softlube.sweeps.executors import Dask, Executor, Local, WorkerDied
 from softlube.sweeps.plan import Plan, make_plan, read_plan
+from softlube.sweeps.results import Sweep
 from softlube.sweeps.store import LEASE, Store
 from softlube.sweeps.tasks import Outcome, Task
 from softlube.sweeps.work import ROOMS, content_key, solver_version
-
-if TYPE_CHECKING:
-    import pandas
 
 MOST_DEATHS = 2
 """Times that a task may take its worker's process with it before it counts as failed."""
 BEAT = 0.5
 """Seconds after which the loop looks up at the latest: at workers that came, claims to renew, the other processes' results."""
-
-
-@dataclass(frozen=True)
-class Sweep:
-    """A finished sweep.
-
-    Attributes
-    ----------
-    plan : Plan
-    keys : tuple of str
-        Of every case, in the plan's order.
-    outcomes : mapping of str to Outcome
-        By key.
-    n_found : int
-        Number of outcomes that were in the store at the start.
-    n_foreign : int
-        Number of outcomes in the store that came of other code, an older version for instance: kept, and not used.
-    """
-
-    plan: Plan
-    keys: tuple[str, ...]
-    outcomes: Mapping[str, Outcome]
-    n_found: int
-    n_foreign: int = 0
-
-    @property
-    def n_failed(self) -> int:
-        """Cases without a solution."""
-        return sum(self.outcomes[key].failed for key in self.keys)
-
-    @property
-    def table(self) -> pandas.DataFrame:
-        """One row a case: inputs, status, quantities and their errors, units in the headers."""
-        from softlube.sweeps.results import to_table
-
-        return to_table(self)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the table as CSV or Parquet, by the file's ending, whole or not at all."""
-        from softlube.sweeps.results import save_table
-
-        save_table(self.table, path)
-
-    def save_fields(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Write the solution of every solved case as NetCDF (case-00001.nc for the table's case 1); needs ``fields=True``."""
-        from softlube.sweeps.results import write_fields
-
-        return write_fields(self, folder)
 
 
 class Stretches:

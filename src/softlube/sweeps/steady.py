@@ -43,7 +43,7 @@ class SteadyTask:
 
     def solve(self, accuracy: float, with_fields: bool) -> Outcome:
         """See `softlube.solve`."""
-        from softlube.steady.ladder import solve_problem
+        from softlube.steady.solve import solve_problem
 
         solution = solve_problem(self.problem, accuracy=accuracy)
         return Outcome(

@@ -10,8 +10,9 @@ from softlube.discretization.reynolds import ReynoldsOperator
 from softlube.discretization.system import ContactSystem
 from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, NewtonianLaw, RoelandsLaw, from_plain, to_plain
 from softlube.model.problem import Problem
-from softlube.steady.ladder import solve_level
+from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 LAWS = [BarusLaw(3.0), RoelandsLaw(3.0, 0.6, 0.4), DowsonHigginsonLaw(BarusLaw(3.0), 0.6)]
 BALL = ["--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s", "--speed", "0.1 mm/s", "--load", "100 mN"]
@@ -118,8 +119,8 @@ def test_derivatives_of_the_reynolds_equation(law):
 @pytest.mark.parametrize("law", LAWS)
 def test_global_mass_balance_to_round_off(law):
     problem = Problem(beta=100.0, cavitation="none", liquid=law)
-    grid = grid_for(problem, 18)
-    x = solve_level(problem, grid, None).x
+    grid = grid_for(Regime.of(problem), 18)
+    x = solve_level(Regime.of(problem), grid).x
     system = ContactSystem(problem, grid)
     residual = system.linearise(x).residual[: grid.n_unknown].reshape(grid.n_r, -1).copy()
     residual[:, [0, -1]] /= 2

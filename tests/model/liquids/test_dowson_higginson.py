@@ -10,8 +10,9 @@ from softlube.cli.main import main
 from softlube.model.liquids import BarusLaw, DowsonHigginson, DowsonHigginsonLaw, NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.readout.flow import net_flux
-from softlube.steady.ladder import solve_level
+from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 BALL = ["--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s", "--speed", "0.1 mm/s", "--load", "100 mN"]
 
@@ -29,9 +30,9 @@ def test_density_of_dowson_and_higginson():
 
 def test_a_stiff_liquid_is_incompressible():
     problem = Problem(beta=200.0, liquid=BarusLaw(3.0))
-    grid = grid_for(problem, 18)
-    plain = solve_level(problem, grid, None).level.values
-    stiff = solve_level(Problem(beta=200.0, liquid=DowsonHigginsonLaw(BarusLaw(3.0), 1e7)), grid, None).level.values
+    grid = grid_for(Regime.of(problem), 18)
+    plain = solve_level(Regime.of(problem), grid).level.values
+    stiff = solve_level(Regime.of(Problem(beta=200.0, liquid=DowsonHigginsonLaw(BarusLaw(3.0), 1e7))), grid).level.values
     for name, value in plain.items():
         assert stiff[name] == pytest.approx(value, rel=1e-6, abs=1e-9), name
 

@@ -4,16 +4,17 @@ import pytest
 
 from softlube.model.liquids import BarusLaw, Newtonian, NewtonianLaw
 from softlube.model.problem import Problem
-from softlube.steady.ladder import solve_level
+from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 
 def test_no_pressure_dependence_is_constant_viscosity():
     problem = Problem(beta=200.0)
-    grid = grid_for(problem, 18)
-    plain = solve_level(problem, grid, None).level.values
+    grid = grid_for(Regime.of(problem), 18)
+    plain = solve_level(Regime.of(problem), grid).level.values
     for law in (BarusLaw(0.0), BarusLaw(1e-9)):
-        level = solve_level(Problem(beta=200.0, liquid=law), grid, None).level.values
+        level = solve_level(Regime.of(Problem(beta=200.0, liquid=law)), grid).level.values
         for name, value in plain.items():
             assert level[name] == pytest.approx(value, rel=1e-6, abs=1e-9), name
 

@@ -11,8 +11,9 @@ from softlube.discretization.grid import PolarGrid
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, LayerKernel, from_plain, to_plain
 from softlube.model.substrates.layer import compliance_defect
-from softlube.steady.ladder import solve_level
-from softlube.steady.mesh import angles_for, dry_under, grid_for, like_hertz, steepness
+from softlube.steady.level import solve_level
+from softlube.steady.mesh import angles_for, grid_for
+from softlube.steady.regime import Regime
 
 
 def compliance_by_elasticity(kappa, nu, base):
@@ -96,9 +97,9 @@ def test_an_incompressible_layer_keeps_its_volume():
 
 def test_a_very_thick_layer_is_the_half_space():
     problem, thickness = Problem(beta=200.0), 1e5
-    grid = grid_for(problem, 18)
-    half_space = solve_level(problem, grid, None).level.values
-    layer = solve_level(Problem(beta=200.0, substrate=LayerKernel(thickness)), grid, None).level.values
+    grid = grid_for(Regime.of(problem), 18)
+    half_space = solve_level(Regime.of(problem), grid).level.values
+    layer = solve_level(Regime.of(Problem(beta=200.0, substrate=LayerKernel(thickness))), grid).level.values
     for name, value in half_space.items():
         # a/t of the first order, and no more
         assert layer[name] == pytest.approx(value, rel=3e-4 if name == "shear_rate_max" else 1e-4, abs=1e-5), name
@@ -153,7 +154,7 @@ def test_three_grids_do_by_load_and_at_other_thicknesses(control, beta, thicknes
     solution = softlube.solve(**arguments)
     assert len(solution.levels) == 3
     problem = Problem(**arguments)
-    fine = solve_level(problem, grid_for(problem, 40), None).level.values
+    fine = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 40)).level.values
     for name in ("film_center", "film_min", "film_outlet_min", "pressure_max", "friction_domain", "shear_rate_max"):
         allowed = 3e-3 if name in ("film_min", "shear_rate_max") else 1e-3
         assert solution.quantities[name] == pytest.approx(fine[name], rel=allowed), name
@@ -163,11 +164,11 @@ def test_three_grids_do_by_load_and_at_other_thicknesses(control, beta, thicknes
 def test_the_boundary_layer_is_counted_from_the_dry_contact_on_the_layer(control):
     """At large β it is where the dry pressure is 5 % of its maximum, inside the edge, and a layer of β′^(−2/5) more."""
     problem = Problem(**{control: 1e4}, substrate=LayerKernel(0.5))
-    dry = dry_under(problem)
+    dry = Regime.of(problem).dry
     y = np.linspace(0.5, 1, 5001)
     inside = y[np.flatnonzero(dry.pressure(dry.radius * y) > 0.05 * dry.pressure(0.0))[-1]]
     solution = softlube.solve(**{control: 1e4}, substrate=LayerKernel(0.5))
-    assert -3e-4 < solution.boundary_layer / dry.radius - (inside - 1) < like_hertz(problem) ** -0.4
+    assert -3e-4 < solution.boundary_layer / dry.radius - (inside - 1) < Regime.of(problem).beta ** -0.4
     unit = (solution.beta if control == "beta_load" else solution.beta_load) / problem.parameter
     other = softlube.solve(
         **{"beta" if control == "beta_load" else "beta_load": problem.parameter * float(unit)},
@@ -180,18 +181,18 @@ def test_the_boundary_layer_is_counted_from_the_dry_contact_on_the_layer(control
 
 def test_a_mesh_follows_the_steepness_of_the_edge():
     half_space, thick, thin = (
-        Problem(beta=1e3, substrate=each) for each in (HalfSpaceKernel(), LayerKernel(1e3), LayerKernel(0.3))
+        Regime.of(Problem(beta=1e3, substrate=each)) for each in (HalfSpaceKernel(), LayerKernel(1e3), LayerKernel(0.3))
     )
-    assert (steepness(half_space), angles_for(half_space, 26)) == (0, 26)
+    assert (half_space.steepness, angles_for(half_space, 26)) == (0, 26)
     assert grid_for(half_space, 26).edge == 1
-    assert 0 <= steepness(thick) < 1e-6
+    assert 0 <= thick.steepness < 1e-6
     assert grid_for(thick, 26).shape == grid_for(half_space, 26).shape
-    assert 0.7 < steepness(thin) < 1
+    assert 0.7 < thin.steepness < 1
     # Under a light load the layers at the edge are wide, and the half-space's mesh does better.
-    light = Problem(beta_load=100.0, substrate=LayerKernel(0.3))
-    assert like_hertz(light) < 300
-    assert (steepness(light), angles_for(light, 26)) == (0, 26)
-    assert 1 < grid_for(thin, 26).edge < 1 + like_hertz(thin) ** -0.4
+    light = Regime.of(Problem(beta_load=100.0, substrate=LayerKernel(0.3)))
+    assert light.beta < 300
+    assert (light.steepness, angles_for(light, 26)) == (0, 26)
+    assert 1 < grid_for(thin, 26).edge < 1 + thin.beta**-0.4
     assert grid_for(thin, 26).n_r < grid_for(half_space, 26).n_r
 
 
@@ -230,7 +231,7 @@ def test_bad_layers_are_refused(arguments, message):
 
 def test_models_that_do_not_know_layers_refuse_them():
     from softlube import curve
-    from softlube.steady.ladder import solve_problem
+    from softlube.steady.solve import solve_problem
 
     problem = Problem(beta=100.0, substrate=LayerKernel(1.0))
     with pytest.raises(softlube.InputError, match="the master curve is for a half-space"):

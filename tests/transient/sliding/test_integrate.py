@@ -13,8 +13,9 @@ from softlube.model.exact import HERTZ_LOAD
 from softlube.model.liquids import BarusLaw, NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, LayerKernel
-from softlube.steady.ladder import solve_level
+from softlube.steady.level import solve_level
 from softlube.steady.mesh import angles_for, grid_for
+from softlube.steady.regime import Regime
 from softlube.transient.motion import constant_load, constant_speed, history
 from softlube.transient.sliding.integrate import deepest_problem, mass_matrix, start_sliding
 from softlube.transient.squeeze.integrate import integrate
@@ -27,7 +28,7 @@ COMPARED = ("height", "film_center", "film_min", "friction_contact", "pressure_m
 def test_steady_sliding_is_the_long_time_limit(cavitation):
     run = start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 8 * BETA), cavitation=cavitation, n_theta=12, tolerance=3e-3)
     problem = Problem(beta_load=BETA, cavitation=cavitation)  # type: ignore[arg-type]
-    steady = solve_level(problem, grid_for(problem, 12), None).level.values
+    steady = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 12)).level.values
     late = measure(run.fields[-1])
     for name in COMPARED:
         assert late[name] == pytest.approx(steady[name], rel=1e-4), name
@@ -69,7 +70,8 @@ def test_every_motion_ends_in_its_steady_sliding(beta, motion, substrate, liquid
     motion = replace(motion, substrate=substrate, liquid=liquid)
     run = start_sliding(beta, motion, n_theta=12, tolerance=3e-3)
     problem, unit = deepest_problem(beta, motion, "reynolds")
-    steady = measure(solve_level(problem, grid_for(problem, angles_for(problem, 12)), None).fields.in_units(1 / unit))
+    regime = Regime.of(problem)
+    steady = measure(solve_level(regime, grid_for(regime, angles_for(regime, 12))).fields.in_units(1 / unit))
     late = measure(run.fields[-1])
     for name in (*COMPARED, "load"):
         assert late[name] == pytest.approx(steady[name], rel=2e-4, abs=1e-9), name
@@ -155,7 +157,7 @@ def test_pressure_stays_positive_and_carries_the_load():
 def test_mass_is_the_measure_of_the_plane():
     """∫ exp(−r²) dA = π, with a dependence on θ that integrates to nothing."""
     problem = Problem(beta_load=BETA)
-    grid = grid_for(problem, 18)
+    grid = grid_for(Regime.of(problem), 18)
     mass = mass_matrix(ContactSystem(problem, grid))
     field = np.exp(-(grid.r[:, None] ** 2)) * (1 + grid.r[:, None] * np.cos(grid.theta))
     weights = np.full(grid.shape[1], grid.d_s)

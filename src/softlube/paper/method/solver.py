@@ -21,7 +21,8 @@ from softlube.paper.method.mesh import PaperMesh
 from softlube.paper.method.polar import PolarScheme
 from softlube.paper.method.relaxation import FIRST_BETA, REYNOLDS_FLOORS, SOMMERFELD_FLOORS, approach, march
 from softlube.solvers.progress import Listener
-from softlube.steady.solution import Level, Solution
+from softlube.steady.level import Level
+from softlube.steady.solution import Solution
 
 LARGEST_BETA = 1e6
 """Above β = 10⁴ the method is expected to fail, and to say so; beyond this it is not tried."""

@@ -30,7 +30,8 @@ from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Cavitation, Problem
 from softlube.solvers.newton import newton
 from softlube.solvers.progress import Listener, Progress
-from softlube.steady.mesh import angles_for, grid_for, unit_for
+from softlube.steady.mesh import angles_for, grid_for
+from softlube.steady.regime import Regime
 from softlube.transient.motion import REACH, Motion
 from softlube.transient.squeeze.integrate import integrate
 from softlube.transient.squeeze.rings import SqueezeFilm
@@ -162,13 +163,13 @@ def _check(motion: Motion, pressed: float, cavitation: str, tolerance: float) ->
         raise InputError("pressed: a sphere is pressed by a load; with its height given it only waits, so leave it out")
 
 
-def grid_under(problem: Problem, motion: Motion, n_theta: int) -> PolarGrid:
+def grid_under(regime: Regime, motion: Motion, n_theta: int) -> PolarGrid:
     """The steady problem's grid, extended for a height that is prescribed.
 
     Under a load that changes the surface moves like Ṅ/r, so that the descent at the rim is not the sphere's; far out that is
     little.
     """
-    grid = grid_for(problem, angles_for(problem, n_theta))
+    grid = grid_for(regime, angles_for(regime, n_theta))
     if motion.control == "load":
         return grid
     n_r = max(grid.n_r, math.ceil(float(grid.xi_of(REACH * np.sqrt(2 * max(motion.samples)))) / grid.d_xi))
@@ -240,10 +241,11 @@ def start_sliding(
     by_load = motion.control == "load"
     _check(motion, pressed, cavitation, tolerance)
     problem, deepest = deepest_problem(beta, motion, cavitation)
-    scale = unit_for(problem)
+    regime = Regime.of(problem)
+    scale = regime.unit
     unit = deepest * scale
     motion = motion.in_units(unit)
-    grid = grid_under(problem, motion, n_theta)
+    grid = grid_under(regime, motion, n_theta)
     system = ContactSystem(problem, grid, scale)
     mass = mass_matrix(system)
     rings, height = before_sliding(motion, grid, pressed * unit**1.5, min(1e-3 * tolerance, 1e-6), progress)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from softlube.discretization.fields import Fields
 from softlube.model.liquids import Liquid
 from softlube.model.quantities import SPIKE, Quantity
+from softlube.steady.error_estimate import LARGEST_ERROR
 
 Array = NDArray[np.floating]
 
@@ -24,12 +25,10 @@ BETWEEN_NODES = 0.25
 """How far a spike's height hangs on where the nodes are, over the fall to the next of them (measured)."""
 RIDGE_ERROR = 0.06
 """Relative error of the largest pressure beside the axis, where the ridge runs askew to the mesh and is a needle (measured)."""
-LARGEST_SPIKE_ERROR = 0.1
-"""Relative error up to which what goes by a spike is given."""
 WELL_KNOWN = 0.02
 """Relative error of its height up to which a spike needs no mesh of its own."""
 SPIKE_QUANTITIES = ("pressure_max", *SPIKE)
-"""What a close-up of the spike gives, see `softlube.steady.spike.closeup`."""
+"""What a close-up of the spike gives, see `softlube.steady.refinements.spike.closeup`."""
 OPEN_SPIKE = (
     "the pressure has a spike at r = {:.2f} (outlet axis) that is narrower than the finest cells and grows from grid to grid, "
     "so there is no maximum pressure, and nothing that goes by it; the films do not depend on it (docs/viscosity.md)"
@@ -112,7 +111,7 @@ def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
     errors = np.maximum(LEFT_OF_FIRST_ORDER * np.abs(values - before[0]), doubt)
     names = ("spike_radius", "spike_pressure")
     spike = {name: Quantity(*pair) for name, *pair in zip(names, values, errors, strict=True)}
-    return spike if errors[1] <= LARGEST_SPIKE_ERROR * values[1] else {}
+    return spike if errors[1] <= LARGEST_ERROR * values[1] else {}
 
 
 def wants_close_up(fields: Fields, quantities: Mapping[str, Quantity]) -> bool:

@@ -11,20 +11,18 @@ from numpy.typing import NDArray
 
 from softlube.discretization.fields import Fields
 from softlube.discretization.measure import CONTACT, DOMAIN, boundary_layer, friction_within, poiseuille_within
-from softlube.model.problem import Problem
 from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.solvers.progress import Listener, Progress
-from softlube.steady.error_estimate import yardstick
-from softlube.steady.mesh import contact_edge
-from softlube.steady.spike.closeup import NEAR_RIDGE, WIDTHS, CloseUp, close_ups
-from softlube.steady.spike.detection import (
-    LARGEST_SPIKE_ERROR,
+from softlube.steady.error_estimate import LARGEST_ERROR, yardstick
+from softlube.steady.refinements.spike.closeup import NEAR_RIDGE, WIDTHS, CloseUp, close_ups
+from softlube.steady.refinements.spike.detection import (
     SHARPEST,
     SPIKE_QUANTITIES,
     ridge_error,
     tracked,
     wants_close_up,
 )
+from softlube.steady.regime import Regime
 
 Array = NDArray[np.floating]
 
@@ -167,13 +165,13 @@ def couette_within(seen: CloseUp, pressure: Array, cutoff: float) -> float:
 
 
 def spike_quantities(
-    problem: Problem, grids: Sequence[Fields], quantities: Mapping[str, Quantity], progress: Listener | None = None
+    regime: Regime, grids: Sequence[Fields], quantities: Mapping[str, Quantity], progress: Listener | None = None
 ) -> dict[str, Quantity]:
     """What is known of a spike, and what goes by it, where that is better known than from the contact's grids.
 
     Parameters
     ----------
-    problem : Problem
+    regime : Regime
         The contact.
     grids : sequence of Fields
         Solutions on the contact's grids, coarse to fine.
@@ -186,13 +184,13 @@ def spike_quantities(
     if not wants_close_up(grids[-1], known):
         return known
     before = {**quantities, **known}
-    closer = resolve_spike(problem, grids[-1], progress)
+    closer = resolve_spike(regime, grids[-1], progress)
     if "pressure_max" in closer:
         closer["pressure_max"] = _at_least(quantities["pressure_center"], closer["pressure_max"])
     return known | {name: each for name, each in closer.items() if name not in before or not before[name].error <= each.error}
 
 
-def resolve_spike(problem: Problem, fields: Fields, progress: Listener | None = None) -> dict[str, Quantity]:
+def resolve_spike(regime: Regime, fields: Fields, progress: Listener | None = None) -> dict[str, Quantity]:
     """What goes by a spike that the contact's own grids cannot resolve, in the problem's own unit; nothing where a mesh fails.
 
     Errors are the largest of the last change, half the one before, and what the last close-up itself leaves, the frictions' at
@@ -200,7 +198,7 @@ def resolve_spike(problem: Problem, fields: Fields, progress: Listener | None = 
 
     Parameters
     ----------
-    problem : Problem
+    regime : Regime
         A contact with a spike on the outlet axis.
     fields : Fields
         Its solution on a mesh about its centre.
@@ -209,7 +207,7 @@ def resolve_spike(problem: Problem, fields: Fields, progress: Listener | None = 
     """
     poiseuille = {name: poiseuille_within(fields, cutoff) for name, cutoff in DISCS.items()}
     seen, said = [], []
-    for each in close_ups(problem, fields):
+    for each in close_ups(regime, fields):
         seen.append(each)
         said.append(readings(each, poiseuille))
         if progress is not None:
@@ -222,8 +220,8 @@ def resolve_spike(problem: Problem, fields: Fields, progress: Listener | None = 
     for name, cutoff in DISCS.items():
         missed = OF_WHAT_GRIDS_MISS * abs(found[name] - friction_within(fields, cutoff))
         found[name] = Quantity(found[name], max(found[name].error, missed))
-    found["boundary_layer"] = _layer(fields, found["pressure_max"], contact_edge(problem))
-    return {name: each for name, each in found.items() if each.error <= LARGEST_SPIKE_ERROR * yardstick(name, found)}
+    found["boundary_layer"] = _layer(fields, found["pressure_max"], regime.edge_radius)
+    return {name: each for name, each in found.items() if each.error <= LARGEST_ERROR * yardstick(name, found)}
 
 
 def _settled(said: Sequence[Reading]) -> Quantity:
@@ -270,7 +268,7 @@ def in_other_unit(
     unit : float
         The other unit over the solution's own.
     edge : float
-        See `softlube.steady.mesh.contact_edge`, in the other unit.
+        Radius of the dry contact in the other unit, see `softlube.steady.regime.Regime.edge_radius`.
     """
     result = {name: QUANTITIES[name].unit.rescaled(own[name], unit) for name in SPIKE_QUANTITIES if name in own}
     result["pressure_max"] = _at_least(values["pressure_center"], result["pressure_max"])

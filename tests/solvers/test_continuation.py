@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from softlube.steady.continuation import settle
 
 import softlube
 from softlube.discretization.system import ContactSystem
@@ -9,9 +10,9 @@ from softlube.errors import NotConvergedError
 from softlube.model.problem import Problem
 from softlube.model.substrates import LayerKernel
 from softlube.solvers.newton import newton
-from softlube.steady.continuation import settle
-from softlube.steady.ladder import solve_level
-from softlube.steady.mesh import grid_for, unit_for
+from softlube.steady.level import solve_level
+from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
 
 PROBLEMS = [Problem(beta=900.0), Problem(beta=2.0), Problem(beta_load=900.0), Problem(beta=30.0, height=0)]
 
@@ -20,7 +21,7 @@ PROBLEMS = [Problem(beta=900.0), Problem(beta=2.0), Problem(beta_load=900.0), Pr
     "problem", [*PROBLEMS, Problem(beta=100.0, cavitation="none"), Problem(beta=100.0, substrate=LayerKernel(0.5))]
 )
 def test_settles_at_the_direct_solution(problem):
-    system = ContactSystem(problem, grid_for(problem, 12), unit_for(problem))
+    system = ContactSystem(problem, grid_for(Regime.of(problem), 12), Regime.of(problem).unit)
     states = list(settle(system, system.start()))
     direct = newton(system, system.start())
     assert direct.converged
@@ -34,7 +35,7 @@ THIN = Problem(beta=30.0, substrate=LayerKernel(0.2))
 def test_where_newtons_method_goes_astray():
     """A layer a ninth of the contact's radius thick."""
     grid = grid_for(THIN, 18)
-    system = ContactSystem(THIN, grid, unit_for(THIN))
+    system = ContactSystem(THIN, grid, Regime.of(THIN).unit)
     assert not newton(system, system.start()).converged
     assert list(settle(system, system.start()))[-1].converged
     solution = softlube.solve(beta=30.0, substrate=LayerKernel(0.2))
@@ -48,7 +49,7 @@ def test_where_newtons_method_goes_astray():
 def test_a_grid_without_a_solution_is_refused_with_a_diagnosis():
     problem = Problem(beta=100.0, substrate=LayerKernel(0.2))
     with pytest.raises(NotConvergedError, match=r"did not converge at beta = 100 on \d+ x 15 cells: after \d+ steps"):
-        solve_level(problem, grid_for(problem, 15), None)
+        solve_level(Regime.of(problem), grid_for(Regime.of(problem), 15))
 
 
 def test_a_minimum_film_at_a_front():

@@ -11,8 +11,17 @@ from softlube.model.exact import HERTZ_PRESSURE
 from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
-from softlube.steady.spike import crest as crests
-from softlube.steady.spike.closeup import ShiftedSystem, carried, circle_through, close_ups, falls, grid_about, ridge
+from softlube.steady.refinements.spike import crest as crests
+from softlube.steady.refinements.spike.closeup import (
+    ShiftedSystem,
+    carried,
+    circle_through,
+    close_ups,
+    falls,
+    grid_about,
+    ridge,
+)
+from softlube.steady.regime import Regime
 from softlube.theory.engineering import BETA_LOAD_OF_M, alpha_of_moes
 
 
@@ -23,7 +32,7 @@ def soft():
 
 @pytest.mark.parametrize("shift", [0.0, 0.3])
 def test_a_contact_does_not_know_where_the_mesh_has_its_centre(soft, shift):
-    grid = replace(grid_about(soft.problem, 26, shift, 0.6, 0.05), layer=0.15)
+    grid = replace(grid_about(Regime.of(soft.problem), 26, shift, 0.6, 0.05), layer=0.15)
     system = ShiftedSystem(soft.problem, grid, 1.0, shift)
     result = newton(system, np.append(carried(soft.fields, grid, shift).ravel(), soft.height))
     assert result.converged
@@ -61,7 +70,7 @@ def test_close_ups_find_the_ridge_that_the_contact_shows(monkeypatch):
     problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=DowsonHigginsonLaw.of(BarusLaw(alpha), alpha / 20e-9))
     monkeypatch.setattr(crests, "resolve_spike", lambda *_: {})  # not here, but below
     solution = softlube.solve(beta_load=problem.beta_load, liquid=problem.liquid, accuracy=1e-2)
-    seen = list(close_ups(problem, solution.fields, (1e-2, 2e-3, 5e-4), angles=26))
+    seen = list(close_ups(Regime.of(problem), solution.fields, (1e-2, 2e-3, 5e-4), angles=26))
     assert len(seen) == 3
     for each, width in zip(seen, (1e-2, 2e-3, 5e-4), strict=True):
         assert each.shift == pytest.approx(0.31, abs=0.01)
@@ -79,7 +88,7 @@ def test_close_ups_end_where_newton_fails(soft):
     alpha = float(alpha_of_moes(20, 30))
     problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=DowsonHigginsonLaw.of(BarusLaw(alpha), alpha / 20e-9))
     hopeless = replace(soft.fields, pressure=soft.fields.pressure * 5, liquid=problem.liquid)
-    assert list(close_ups(problem, hopeless, (1e-2,), angles=12)) == []
+    assert list(close_ups(Regime.of(problem), hopeless, (1e-2,), angles=12)) == []
 
 
 @pytest.mark.slow
@@ -90,7 +99,7 @@ def test_without_compressibility_the_spike_grows_with_every_mesh(monkeypatch):
     for material in (5.4, 6.0):
         problem = Problem(beta_load=BETA_LOAD_OF_M * 20 ** (4 / 3), liquid=BarusLaw(float(alpha_of_moes(20, material))))
         solution = softlube.solve(beta_load=problem.beta_load, liquid=problem.liquid, accuracy=1e-2)
-        seen = close_ups(problem, solution.fields, (1e-2, 2e-3, 5e-4, 1.25e-4), angles=39)
+        seen = close_ups(Regime.of(problem), solution.fields, (1e-2, 2e-3, 5e-4, 1.25e-4), angles=39)
         heights[material] = [crests.crest(each.fields, 39, int(each.fall[-1])).pressure for each in seen][1:]
     assert heights[5.4] == pytest.approx([1.6297 * HERTZ_PRESSURE] * 3, rel=2e-3)
     coarse, middle, fine = heights[6.0]

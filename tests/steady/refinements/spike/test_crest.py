@@ -11,10 +11,11 @@ import softlube.theory.limits
 from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw
 from softlube.readout.friction import split
 from softlube.solvers.newton import newton
-from softlube.steady.spike import closeup
-from softlube.steady.spike import crest as crests
-from softlube.steady.spike.closeup import CloseUp, ShiftedSystem, carried, grid_about
-from softlube.steady.spike.crest import Reading, couette_within, crest, resolve_spike
+from softlube.steady.refinements.spike import closeup
+from softlube.steady.refinements.spike import crest as crests
+from softlube.steady.refinements.spike.closeup import CloseUp, ShiftedSystem, carried, grid_about
+from softlube.steady.refinements.spike.crest import Reading, couette_within, crest, resolve_spike
+from softlube.steady.regime import Regime
 from softlube.theory.engineering import BETA_LOAD_OF_M, alpha_of_moes
 
 
@@ -58,7 +59,7 @@ def test_couette_part_over_a_disc_about_the_contact_from_a_mesh_that_is_not():
     """A soft contact, whose friction `friction.split` integrates otherwise."""
     solution = softlube.solve(beta_load=100.0)
     shift = 0.3
-    grid = grid_about(solution.problem, 39, shift, 0.6, 0.05)
+    grid = grid_about(Regime.of(solution.problem), 39, shift, 0.6, 0.05)
     system = ShiftedSystem(solution.problem, grid, 1.0, shift)
     result = newton(system, np.append(carried(solution.fields, grid, shift).ravel(), solution.height))
     seen = CloseUp(shift, 0.6, system.fields(result.x), 0.0)
@@ -121,5 +122,5 @@ def test_no_number_where_the_meshes_do_not_see_the_same_contact(needle, monkeypa
     solution, _ = needle
     monkeypatch.setattr(crests, "SAME_FILM", 1e-9)
     monkeypatch.setattr(crests, "WIDTHS", (1e-2,))
-    monkeypatch.setattr(crests, "close_ups", lambda problem, fields: closeup.close_ups(problem, fields, (1e-2,), 26))
-    assert resolve_spike(solution.problem, solution.fields) == {}
+    monkeypatch.setattr(crests, "close_ups", lambda regime, fields: closeup.close_ups(regime, fields, (1e-2,), 26))
+    assert resolve_spike(Regime.of(solution.problem), solution.fields) == {}

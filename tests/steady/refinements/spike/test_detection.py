@@ -2,6 +2,7 @@
 
 import json
 import runpy
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -15,10 +16,11 @@ from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, RoelandsLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
 from softlube.readout.flow import net_flux
-from softlube.steady.continuation import thicken
-from softlube.steady.ladder import solve_level
-from softlube.steady.mesh import crest_of, grid_for, thickening
-from softlube.steady.spike.detection import doubts, is_open, outlet_crest
+from softlube.steady.level import solve_level
+from softlube.steady.mesh import grid_for
+from softlube.steady.refinements.spike.detection import doubts, is_open, outlet_crest
+from softlube.steady.refinements.spike.refinement import Spike, crest_of
+from softlube.steady.regime import Regime
 from softlube.theory.engineering import (
     BETA_LOAD_OF_M,
     alpha_of_moes,
@@ -61,38 +63,31 @@ def spiked():
 
 def test_alpha_p_hertz_of_moes():
     """αp_H = (L/π)(3M/2)^(1/3)."""
-    assert thickening(moes(20, 10)) == pytest.approx(10 / np.pi * 30 ** (1 / 3))
+    assert Regime.of(moes(20, 10)).thickening == pytest.approx(10 / np.pi * 30 ** (1 / 3))
 
 
 @pytest.mark.parametrize("law", [None, RoelandsLaw(48.8, 0.68, 3.33 / 48.8)])
 def test_march_ends_where_it_should(law):
     problem = moes(20, 10) if law is None else Problem(beta_load=moes(20, 10).beta_load, liquid=law)
-    grid = grid_for(problem, 12)
-    solved = solve_level(problem, grid, None)
+    grid = grid_for(Regime.of(problem), 12)
+    solved = solve_level(Regime.of(problem), grid)
     residual = ContactSystem(problem, grid).linearise(solved.x).residual
     assert np.abs(residual[:-1][solved.x[:-1] > 0]).max() < 1e-6 * np.abs(residual).max()
     # GMRES does not notice that the fluidity vanishes: the film is the preconditioner's unknown.
     assert max(step.krylov for step in solved.level.history) <= 15
 
 
-def test_march_gives_up_in_words():
-    """On a grid too coarse for anything the last result says so, and is the last."""
-    problem = moes(20, 10)
-    grid = grid_for(problem, 12)
-    system = ContactSystem(problem, grid)
-    start = np.zeros(grid.n_unknown + 1)  # no pressure: no step leads anywhere
-    results = list(thicken(problem, grid, start, 10.0, scale=system.scale))
-    assert not results[-1].converged
-    assert all(result.converged for result in results[:-1])
-
-
 def test_place_of_the_crest_and_the_mesh_there():
-    problem = moes(20, 10)
-    fields = solve_level(problem, grid_for(problem, 18), None).fields
-    assert outlet_crest(fields) == pytest.approx(0.67, abs=0.07)  # 0.67 on the finest
-    crest = crest_of(problem, fields)
-    assert grid_for(problem, 26, crest).crest == crest == pytest.approx(outlet_crest(fields), abs=0.011)
-    assert crest_of(moes(20, 1), fields) == 0  # thin liquids keep the mesh that they had
+    regime = Regime.of(moes(20, 10))
+    before = solve_level(regime, grid_for(regime, 18))
+    assert outlet_crest(before.fields) == pytest.approx(0.67, abs=0.07)  # 0.67 on the finest
+    crest = crest_of(regime, before.fields)
+    adjusted = grid_for(regime, 26, [partial(Spike(regime).adjust, before=before)])
+    assert adjusted.crest == crest == pytest.approx(outlet_crest(before.fields), abs=0.011)
+    assert adjusted.n_r > grid_for(regime, 26).n_r
+    assert Spike(regime).adjust(grid_for(regime, 26), None).crest == 0
+    thin = Regime.of(moes(20, 1))
+    assert Spike(thin).adjust(grid_for(thin, 26), before).crest == 0  # thin liquids keep the mesh that they had
 
 
 def test_a_spike_that_is_resolved():

@@ -22,8 +22,9 @@ from softlube.discretization.grid import PolarGrid
 from softlube.discretization.system import ContactSystem
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
-from softlube.steady.mesh import grid_for, unit_for
-from softlube.steady.spike.detection import outlet_crest
+from softlube.steady.mesh import grid_for
+from softlube.steady.refinements.spike.detection import outlet_crest
+from softlube.steady.regime import Regime
 
 Array = NDArray[np.floating]
 
@@ -87,12 +88,12 @@ class CloseUp:
         return float(np.diff(self.fields.r)[self.fall[-1]])
 
 
-def close_ups(problem: Problem, fields: Fields, widths: Sequence[float] = WIDTHS, angles: int = ANGLES) -> Iterator[CloseUp]:
+def close_ups(regime: Regime, fields: Fields, widths: Sequence[float] = WIDTHS, angles: int = ANGLES) -> Iterator[CloseUp]:
     """Solve on ever finer meshes about a spike; ends early where Newton's method fails.
 
     Parameters
     ----------
-    problem : Problem
+    regime : Regime
         A contact whose solution has a spike on the outlet axis.
     fields : Fields
         The solution on a mesh about the contact's centre, in the problem's own unit.
@@ -101,13 +102,13 @@ def close_ups(problem: Problem, fields: Fields, widths: Sequence[float] = WIDTHS
     angles : int
         Angular intervals of the meshes.
     """
-    unit = unit_for(problem)
+    problem, unit = regime.problem, regime.unit
     here, shift = fields.in_units(unit), 0.0
     radius = outlet_crest(here)
     for width in widths:
         began = time.perf_counter()
         new_shift, radius = circle_through(*ridge(here, shift, radius))
-        grid = grid_about(problem, angles, new_shift, radius, width)
+        grid = grid_about(regime, angles, new_shift, radius, width)
         system = ShiftedSystem(problem, grid, unit, new_shift)
         start = carried(here, grid, new_shift - shift).ravel()
         result = newton(system, np.append(start, here.height) if problem.load_controlled else start, max_iterations=STEPS)
@@ -149,9 +150,9 @@ def circle_through(x: Array, y: Array) -> tuple[float, float]:
     return shift, float(place - shift)
 
 
-def grid_about(problem: Problem, angles: int, shift: float, radius: float, width: float) -> PolarGrid:
+def grid_about(regime: Regime, angles: int, shift: float, radius: float, width: float) -> PolarGrid:
     """The mesh of the problem, its centre moved, with a refined zone at a radius about it."""
-    grid = grid_for(problem, angles)
+    grid = grid_for(regime, angles)
     grid = replace(
         grid,
         layer=max(grid.layer, EDGE_LAYER * shift / grid.edge),

@@ -1,0 +1,232 @@
+"""One grid of the ladder: the first guess, Newton's method, and what helps where it fails."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import RectBivariateSpline
+
+from softlube.discretization.fields import Fields
+from softlube.discretization.grid import PolarGrid
+from softlube.discretization.measure import measure
+from softlube.discretization.system import ContactSystem
+from softlube.discretization.unsteady import implicit_steps
+from softlube.errors import NotConvergedError
+from softlube.solvers.continuation import follow, settle
+from softlube.solvers.newton import Iteration, newton
+from softlube.steady.regime import Regime
+
+Array = NDArray[np.floating]
+
+COARSE_ANGLES = 18
+"""Angular intervals up to which a grid is solved to the coarse tolerance: it mostly starts the next one."""
+COARSE_TOLERANCE, FINE_TOLERANCE = 1e-4, 1e-6
+"""Tolerance of Newton's method on grids up to `COARSE_ANGLES`, and on finer grids, which give numbers."""
+STEPS, STEEP_STEPS = 40, 90
+"""Steps of Newton's method at most on one grid, without and with a spike that must first move to its nodes."""
+HELD_BETA = 1e3
+"""β′ beyond which a load is first taken for an indentation."""
+FIRST_RISE, SMALLEST_RISE = 2.0, 0.02
+"""Steps of the largest ln η/η₀ in the continuation to the problem's liquid: the first, and the shortest before it gives up."""
+FIRST_TIME, SHORTEST_TIME, LONGEST_TIME = 0.1, 1e-4, 300.0
+"""Time steps over β of the film that settles: the first, the shortest before it gives up, and the length beyond which the
+state is the steady one.  Liquid takes about 2β to pass through the contact."""
+
+
+class Record(Protocol):
+    """A piece of a method's history: a Newton step, a run of relaxation sweeps."""
+
+    @property
+    def count(self) -> int:
+        """Number of steps or sweeps in it."""
+        ...
+
+    def summary(self) -> dict[str, Any]:
+        """Plain values, ready for JSON."""
+        ...
+
+
+@dataclass(frozen=True)
+class SavedRecord:
+    """A record read back from a file, which keeps summaries only."""
+
+    values: Mapping[str, Any]
+
+    @property
+    def count(self) -> int:
+        """Number of steps or sweeps in it."""
+        return int(self.values["sweeps"])
+
+    def summary(self) -> dict[str, Any]:
+        """The values."""
+        return dict(self.values)
+
+
+@dataclass(frozen=True)
+class Level:
+    """One grid on the way to the answer, as a solution remembers it.
+
+    Attributes
+    ----------
+    n_r, n_theta : int
+        Cells along r, and angular intervals.
+    values : mapping of str to float
+        The quantities on this grid.
+    history : tuple of Record
+        What the method did.
+    seconds : float
+        Time it took.
+    fields : Fields or None
+        Pressure and film; None where the level was read from a file.
+    """
+
+    n_r: int
+    n_theta: int
+    values: Mapping[str, float]
+    history: tuple[Record, ...]
+    seconds: float
+    fields: Fields | None = None
+
+
+@dataclass(frozen=True)
+class Solved:
+    """One solved grid, with all that the next grid starts from.
+
+    Attributes
+    ----------
+    level : Level
+        What a solution keeps of it.
+    fields : Fields
+        Pressure and film.
+    x : ndarray
+        The unknowns.
+    grid : PolarGrid
+        The grid.
+    """
+
+    level: Level
+    fields: Fields
+    x: Array
+    grid: PolarGrid
+
+
+def solve_level(regime: Regime, grid: PolarGrid, before: Solved | None = None) -> Solved:
+    """Solve a contact on one grid.
+
+    Parameters
+    ----------
+    regime : Regime
+        The contact.
+    grid : PolarGrid
+        The grid.
+    before : Solved, optional
+        The solution on a coarser grid as first guess; without it the guess is formed from dry contacts.
+
+    Raises
+    ------
+    NotConvergedError
+        If Newton's method fails.
+    """
+    began = time.perf_counter()
+    history: list[Iteration] = []
+    x = _unknowns(regime, grid, None if before is None else prolong(before.x, before.grid, grid, regime), history)
+    fields = ContactSystem(regime.problem, grid, regime.unit).fields(x)
+    values = measure(fields, regime.edge_radius)
+    level = Level(grid.n_r, grid.n_theta, values, tuple(history), time.perf_counter() - began, fields)
+    return Solved(level, fields, x, grid)
+
+
+def prolong(x: Array, coarse: PolarGrid, fine: PolarGrid, regime: Regime) -> Array:
+    """Interpolate unknowns from one grid to another."""
+    problem = regime.problem
+    values = x[: coarse.n_unknown].reshape(coarse.n_r, -1)
+    mirrored = np.concatenate([values[:2][::-1, ::-1], values])
+    xi = (np.arange(-2, coarse.n_r) + 0.5) * coarse.d_xi
+    degree = 1 if regime.thick else 3  # a cubic rings at a spike, and the viscosity with it
+    spline = RectBivariateSpline(xi, coarse.s, mirrored, kx=degree, ky=degree, s=0)
+    result = spline(np.minimum(coarse.xi_of(fine.r[: fine.n_r]), xi[-1]), coarse.s_of(fine.theta))
+    if not regime.suction:
+        result = np.maximum(result, 0)
+    return np.append(result.ravel(), x[-1]) if problem.load_controlled else result.ravel()
+
+
+def _unknowns(regime: Regime, grid: PolarGrid, start: Array | None, history: list[Iteration]) -> Array:
+    """The converged unknowns; Newton's steps are added to `history`."""
+    if start is None and regime.thick:
+        return _thickened(regime, grid, history)
+    system = ContactSystem(regime.problem, grid, regime.unit)
+    result = newton(
+        system,
+        _first_guess(regime, system, history) if start is None else start,
+        tolerance=COARSE_TOLERANCE if grid.n_theta <= COARSE_ANGLES else FINE_TOLERANCE,
+        max_iterations=STEEP_STEPS if regime.thick else STEPS,
+    )
+    history += result.history
+    if result.converged:
+        return result.x
+    return _thickened(regime, grid, history) if regime.thick else _settled(regime, system, history)
+
+
+def _first_guess(regime: Regime, system: ContactSystem, history: list[Iteration]) -> Array:
+    """Unknowns from dry contacts; under a load beyond `HELD_BETA`, from the contact with the dry contact's height.
+
+    The step from a guess is safer with the height held, and the height is the dry contact's but for β^(−3/5).
+    """
+    problem = regime.problem
+    start = system.start(regime.first_height / system.scale)
+    if not (problem.load_controlled and regime.beta > HELD_BETA):
+        return start
+    depth = regime.dry.indentation
+    pressed = replace(
+        problem,
+        beta=problem.parameter * depth**2,
+        beta_load=None,
+        substrate=problem.substrate.in_units(depth),
+        liquid=problem.liquid.in_units(depth),
+    )
+    held = newton(ContactSystem(pressed, system.grid, system.scale / depth), start[:-1])
+    history += held.history
+    return np.append(held.x, -depth / system.scale)
+
+
+def _thickened(regime: Regime, grid: PolarGrid, history: list[Iteration]) -> Array:
+    """Solve with constant viscosity, then follow the solution as the liquid's pressure dependence grows to its own."""
+    problem, liquid = regime.problem, regime.problem.liquid
+
+    def system_at(share: float) -> ContactSystem:
+        return ContactSystem(replace(problem, liquid=liquid.weakened(share)), grid, regime.unit)
+
+    plain = _unknowns(Regime.of(replace(problem, liquid=liquid.weakened(0.0))), grid, None, history)
+    step = min(1.0, FIRST_RISE / regime.thickening)
+    result = None
+    for result in follow(system_at, plain, first_step=step, shortest_step=SMALLEST_RISE / regime.thickening):
+        history += result.history
+    if result is None or not result.converged:
+        raise _not_converged(regime, grid, history)
+    return result.x
+
+
+def _settled(regime: Regime, system: ContactSystem, history: list[Iteration]) -> Array:
+    """Let the film settle in time, as under a sphere that starts to slide, where the direct start failed."""
+    result = None
+    start = system.start(regime.first_height / system.scale)
+    times = [system.beta * each for each in (FIRST_TIME, SHORTEST_TIME, LONGEST_TIME)]
+    for result in settle(system, implicit_steps(system), start, *times):
+        history += result.history
+    if result is None or not result.converged:
+        raise _not_converged(regime, system.grid, history)
+    return result.x
+
+
+def _not_converged(regime: Regime, grid: PolarGrid, history: Sequence[Iteration]) -> NotConvergedError:
+    last = history[-1] if history else Iteration(np.nan, np.nan, 0, 0)
+    name = "beta_load" if regime.problem.load_controlled else "beta"
+    return NotConvergedError(
+        f"Newton's method did not converge at {name} = {regime.problem.parameter:.4g} on {grid.n_r} x {grid.n_theta} cells: "
+        f"after {len(history)} steps the last was {last.step:.1e} (fraction {last.fraction:.2g})."
+    )

@@ -1,0 +1,141 @@
+"""What kind of contact a problem is, computed once: mesh, first guess, ladder of grids and error estimate ask it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from softlube.model.dry import DryContact, dry_contact_at
+from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE
+from softlube.model.problem import Problem
+
+TOUCHING = 4.5
+"""β_load at which h₀ = 0 under the Reynolds condition, about."""
+THIN_GAP = 15.0
+"""β′ of a layer beyond which there is a contact even where the sphere stays above the undeformed surface."""
+DEEP_BETA = 3e4
+"""β′ beyond which the boundary layer at the sides is what is hardest to resolve."""
+STEEP_BETA = 3e2, 3e4
+"""β′ from which on the steepness counts, and beyond which it counts in full."""
+THICK = 2.5
+"""ln η/η₀ under a dry contact's largest pressure beyond which a spike may stand at the outlet."""
+FRONT_EDGE = 6.0
+"""Rise of a layer's dry pressure at the edge over Hertz's beyond which the constriction at the sides may end in a front."""
+
+
+@dataclass(frozen=True)
+class Regime:
+    """The kind of a contact, from what is known of it before it is solved.
+
+    Attributes
+    ----------
+    problem : Problem
+        The contact.
+    dry : DryContact
+        The contact without the film, under the problem's load or at its indentation.
+    beta : float
+        β′: β of the contact on a half-space that has boundary layers of equal width at its edge, relative to the contact
+        radius; the problem's own β if its substrate is a half-space.
+    unit : float
+        Unit of height that suits the mesh, over the problem's own: √unit is the unit of length, and the mesh is refined one
+        unit of length from the centre.
+    over_gap : bool
+        Whether the sphere stays above the undeformed surface, or about.  A thin layer is hardly indented but has a contact
+        with narrow boundary layers at its edge, and does not count as a gap.
+    steepness : float
+        How much of the dry pressure's rise at the contact's edge is the substrate's: 0 on a half-space, up to 1 on thin
+        layers.  Inwards from the edge the pressure rises ever faster on a thin layer, ever more slowly on a half-space.  So
+        the film that enters widens the contact by more of its boundary layer's width, and the minimum at the sides is sharper
+        in angle.  The steepness counts as far as the boundary layers are narrow, in full beyond the second of `STEEP_BETA`.
+    thickening : float
+        ln η/η₀ at the largest pressure of the dry contact, which is (2/π²)√(indentation) on a half-space.
+    front : bool
+        Whether the constriction at the sides of the contact may end in a front, as on very thin layers (docs/layers.md).
+    """
+
+    problem: Problem
+    dry: DryContact
+    beta: float
+    unit: float
+    over_gap: bool
+    steepness: float
+    thickening: float
+    front: bool
+
+    @classmethod
+    def of(cls, problem: Problem) -> Regime:
+        """Find the regime of a problem.
+
+        Raises
+        ------
+        NotConvergedError
+            If the dry contact on the problem's substrate is not found.
+        """
+        if problem.load_controlled:
+            dry = dry_contact_at(problem.substrate, load=HERTZ_LOAD)
+        else:
+            dry = dry_contact_at(problem.substrate, indentation=1.0)
+        beta = dry.like_hertz(problem.parameter)
+        pressed = dry.radius**2
+        if problem.load_controlled:
+            # Where the film is thicker than the indentation, the pressure is as wide as the gap allows: the rigid sphere's
+            # is largest at r = 0.26 √(2h₀).
+            unit = pressed + 0.18 * max(_height_under_load(problem, dry, beta), 0)
+            over_gap = beta < THIN_GAP and unit > 1.01 * pressed
+        else:
+            lifted = np.sqrt(TOUCHING / problem.parameter)
+            over_contact = pressed * max(1.0, np.sqrt(TOUCHING / beta))
+            unit = float({-1: over_contact, 0: lifted, 1: 0.2 + lifted}[problem.height])
+            over_gap = problem.height >= 0
+        narrow = 0.0 if over_gap else float(np.interp(np.log(max(beta, 1.0)), np.log(STEEP_BETA), (0.0, 1.0)))
+        highest = np.array([HERTZ_PRESSURE * np.sqrt(dry.indentation)])
+        return cls(
+            problem=problem,
+            dry=dry,
+            beta=beta,
+            unit=unit,
+            over_gap=over_gap,
+            steepness=narrow * (1 - 1 / dry.edge),
+            thickening=float(np.log(problem.liquid.viscosity(highest)[0])),
+            front=dry.edge > FRONT_EDGE,
+        )
+
+    @property
+    def suction(self) -> bool:
+        """Whether pressures below zero are allowed: no Reynolds condition."""
+        return self.problem.cavitation == "none"
+
+    @property
+    def deep(self) -> bool:
+        """Whether the boundary layers at the edge of the contact are narrow, so that the sides are hardest to resolve."""
+        return self.beta > DEEP_BETA and not self.over_gap
+
+    @property
+    def thick(self) -> bool:
+        """Whether the viscosity rises so much that a pressure spike may stand at the outlet."""
+        return self.thickening > THICK
+
+    @property
+    def edge_radius(self) -> float:
+        """Radius of the dry contact, from which the inlet's boundary layer is counted; the unit of length over a gap."""
+        return 1.0 if self.problem.height >= 0 else self.dry.radius
+
+    @cached_property
+    def first_height(self) -> float:
+        """About the height h₀ under the problem's load, in units of the load's Hertz indentation.
+
+        In the Hertz limit h₀ + 1 ~ β^(−3/5), and another substrate is as deep as it is dry.  A light load is carried by the
+        rigid sphere's pressure, which goes like 1/(β√h₀), or without the Reynolds condition by what the deformation adds to
+        that pressure, like 1/(β²h₀^(5/2)).  The constants are fitted to solutions.
+        """
+        return _height_under_load(self.problem, self.dry, self.beta)
+
+
+def _height_under_load(problem: Problem, dry: DryContact, beta: float) -> float:
+    """See `Regime.first_height`."""
+    if beta > TOUCHING / 2:
+        return 2.6 * dry.radius**2 * dry.edge * beta**-0.6 - dry.indentation
+    own = problem.parameter
+    return 5.5 / own**2 if problem.cavitation == "reynolds" else 0.65 / own**0.8

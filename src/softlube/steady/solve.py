@@ -1,0 +1,124 @@
+"""solve(): the public way to a solution of the dimensionless contact."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from softlube.errors import InputError, NotConvergedError
+from softlube.model.liquids import Liquid, NewtonianLaw
+from softlube.model.problem import Problem
+from softlube.model.substrates import HalfSpaceKernel, Substrate
+from softlube.solvers.progress import Listener
+from softlube.steady.ladder import LARGEST_ACCURACY, solve_on_ladder
+from softlube.steady.regime import Regime
+from softlube.steady.solution import Solution
+
+DEFAULT_ACCURACY = 1e-3
+FINEST_ACCURACY = 1.4e-4
+"""What the free boundary allows on the finest grid of the ladder (the film on the outlet axis is the first to fail)."""
+LARGEST_BETA = 1e9
+SMALLEST_BETA = 1e-6
+THICKEST = 55.0
+"""ln η/η₀ under a dry contact's largest pressure up to which the continuation in the viscosity is known to arrive."""
+
+
+def solve(
+    beta: float | None = None,
+    *,
+    beta_load: float | None = None,
+    cavitation: str = "reynolds",
+    substrate: Substrate | None = None,
+    liquid: Liquid | None = None,
+    accuracy: float = DEFAULT_ACCURACY,
+    method: str = "newton",
+    progress: Listener | None = None,
+) -> Solution:
+    """Solve one dimensionless contact.
+
+    Parameters
+    ----------
+    beta : float
+        β = (2/3)(h₀²/R) πG/(ηv), Eq. (6d), for a prescribed indentation.
+    beta_load : float
+        Instead of `beta`: the same with the Hertz indentation of a prescribed load, Eq. (30).
+    cavitation : {"reynolds", "none"}
+        Reynolds condition, or negative pressures allowed.
+    substrate : Substrate, optional
+        Of `softlube.substrates`; the half-space if none.
+    liquid : Liquid, optional
+        Of `softlube.model.liquids`; constant viscosity if none.
+    accuracy : float
+        Relative error aimed at (film_min and shear_rate_max: three times that, ten times beyond β = 3·10⁶).  Grids follow
+        from it.
+    method : {"newton", "relaxation", "cartesian"}
+        This solver, or the paper's own method on its polar mesh of 50 × 30 or on a Cartesian one of 100 × 50
+        (docs/paper-method.md): slower, with one mesh and so without errors, for comparison.
+    progress : callable, optional
+        Called with a `softlube.solvers.progress.Progress` after each grid, for instance ``print``.
+
+    Returns
+    -------
+    Solution
+
+    Raises
+    ------
+    InputError
+        If an input is not as described (a ValueError).
+    NotConvergedError
+        If no grid reaches the accuracy, or Newton's method fails, or the load is too light for h₀ < 0.
+
+    Examples
+    --------
+    >>> import softlube
+    >>> solution = softlube.solve(beta=1000)
+    >>> round(solution.film_center, 5), solution.film_center.error < 1e-5
+    (0.01615, True)
+    """
+    problem = Problem(
+        beta,
+        beta_load,
+        cavitation,  # type: ignore[arg-type]
+        substrate=substrate or HalfSpaceKernel(),
+        liquid=liquid or NewtonianLaw(),
+    )
+    return solve_problem(problem, accuracy=accuracy, method=method, progress=progress)
+
+
+def solve_problem(
+    problem: Problem,
+    *,
+    accuracy: float = DEFAULT_ACCURACY,
+    method: str = "newton",
+    progress: Listener | None = None,
+) -> Solution:
+    """Solve a `Problem` by one of the methods; see `solve`."""
+    if method == "newton":
+        if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= LARGEST_ACCURACY):
+            bounds = f"{FINEST_ACCURACY:g} and {LARGEST_ACCURACY:g}"
+            raise InputError(f"accuracy: expected a relative error between {bounds}, got {accuracy!r}")
+        return solve_on_ladder(_regime(problem), accuracy, progress)
+    if method not in ("relaxation", "cartesian"):
+        raise InputError(f"method: expected 'newton', 'relaxation' or 'cartesian', got {method!r}")
+    if accuracy != DEFAULT_ACCURACY:
+        raise InputError(f"accuracy: method {method!r} has one mesh and takes no accuracy; leave it out")
+    from softlube.paper import method as paper
+
+    return (paper.solve_relaxation if method == "relaxation" else paper.solve_cartesian)(problem, progress=progress)
+
+
+def _regime(problem: Problem) -> Regime:
+    """The regime of a problem within the range that is resolved."""
+    if not SMALLEST_BETA <= problem.parameter <= LARGEST_BETA:
+        name = "beta_load" if problem.load_controlled else "beta"
+        bounds = f"{SMALLEST_BETA:g} to {LARGEST_BETA:g}"
+        raise NotConvergedError(
+            f"{name} = {problem.parameter:.4g} is outside the range that is resolved, {bounds}. Beyond it the limits of "
+            "softlube.limits hold: a rigid sphere below, a Hertz contact above."
+        )
+    regime = Regime.of(problem)
+    if regime.thickening > THICKEST:
+        raise NotConvergedError(
+            f"the viscosity would rise by a factor of e^{regime.thickening:.0f} under the dry contact's pressure; contacts are "
+            f"solved up to e^{THICKEST:.0f} (docs/viscosity.md)"
+        )
+    return regime
