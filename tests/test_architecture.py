@@ -14,9 +14,6 @@ MOST_ENTRIES = 18
 STILL_WITHOUT = [
     "files.transient",
     "plots.transient",
-    "steady.error_estimate",
-    "steady.mesh",
-    "steady.solution",
     "transient.extremes",
     "transient.sliding.result",
 ]

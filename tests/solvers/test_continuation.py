@@ -1,72 +1,82 @@
-"""Letting the film settle in time: the same solution as a direct start, one where there was none, and a plain end."""
+"""Continuation in a parameter and in time, on systems whose solutions are known."""
+
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from softlube.steady.continuation import settle
 
-import softlube
-from softlube.discretization.system import ContactSystem
-from softlube.errors import NotConvergedError
-from softlube.model.problem import Problem
-from softlube.model.substrates import LayerKernel
-from softlube.solvers.newton import newton
-from softlube.steady.level import solve_level
-from softlube.steady.mesh import grid_for
-from softlube.steady.regime import Regime
-
-PROBLEMS = [Problem(beta=900.0), Problem(beta=2.0), Problem(beta_load=900.0), Problem(beta=30.0, height=0)]
+from softlube.solvers.continuation import follow, settle
+from softlube.solvers.newton import DenseEquation
 
 
-@pytest.mark.parametrize(
-    "problem", [*PROBLEMS, Problem(beta=100.0, cavitation="none"), Problem(beta=100.0, substrate=LayerKernel(0.5))]
-)
-def test_settles_at_the_direct_solution(problem):
-    system = ContactSystem(problem, grid_for(Regime.of(problem), 12), Regime.of(problem).unit)
-    states = list(settle(system, system.start()))
-    direct = newton(system, system.start())
-    assert direct.converged
-    assert all(state.converged for state in states)
-    assert states[-1].x == pytest.approx(direct.x, abs=1e-8)
+@dataclass
+class Scalar:
+    """One equation R(x) = 0 with its derivative, by functions."""
+
+    function: object
+    derivative: object
+    longest: float = np.inf
+
+    constrained = np.zeros(1, dtype=bool)
+
+    def linearise(self, x):
+        return ScalarAt(self, x)
 
 
-THIN = Problem(beta=30.0, substrate=LayerKernel(0.2))
+class ScalarAt:
+    def __init__(self, system, x):
+        self.residual = np.array([system.function(x[0])])
+        self.jacobian = np.array([[system.derivative(x[0])]])
+        self.scale = np.ones(1)
+        self.longest = system.longest
+
+    def times(self, step):
+        return self.jacobian @ step
+
+    def equation(self, free):
+        return DenseEquation.of(self.jacobian, free)
+
+    def size(self, step):
+        return float(np.max(np.abs(step)))
+
+    def longest_step(self, step):
+        return min(1.0, self.longest / max(self.size(step), 1e-300))
 
 
-def test_where_newtons_method_goes_astray():
-    """A layer a ninth of the contact's radius thick."""
-    grid = grid_for(THIN, 18)
-    system = ContactSystem(THIN, grid, Regime.of(THIN).unit)
-    assert not newton(system, system.start()).converged
-    assert list(settle(system, system.start()))[-1].converged
-    solution = softlube.solve(beta=30.0, substrate=LayerKernel(0.2))
-    assert solution.film_center.error < 1e-3 * solution.film_center
-    finer = softlube.solve(beta=30.0, substrate=LayerKernel(0.2), accuracy=5e-4)
-    for name in ("film_center", "film_min", "load", "friction_domain"):
-        coarse, fine = solution.quantities[name], finer.quantities[name]
-        assert abs(coarse - fine) <= coarse.error + fine.error
+def test_a_solution_is_followed_to_where_newton_would_not_find_it():
+    """X = tan(1.5 t): from x = 0 Newton's method diverges for arctan x = 1.5, and the path leads there."""
+    results = list(
+        follow(
+            lambda t: Scalar(lambda x: np.arctan(x) - 1.5 * t, lambda x: 1 / (1 + x**2)),
+            np.zeros(1),
+            first_step=0.2,
+            shortest_step=1e-4,
+        )
+    )
+    assert all(result.converged for result in results)
+    assert results[-1].x[0] == pytest.approx(np.tan(1.5), rel=1e-5)
+    assert len(results) > 3
 
 
-def test_a_grid_without_a_solution_is_refused_with_a_diagnosis():
-    problem = Problem(beta=100.0, substrate=LayerKernel(0.2))
-    with pytest.raises(NotConvergedError, match=r"did not converge at beta = 100 on \d+ x 15 cells: after \d+ steps"):
-        solve_level(Regime.of(problem), grid_for(Regime.of(problem), 15))
+def test_a_path_that_ends_is_given_up():
+    """x² = 1 − 2t has no solution beyond t = 1/2: the last result has not converged, all before it have."""
+    results = list(
+        follow(lambda t: Scalar(lambda x: x**2 - 1 + 2 * t, lambda x: 2 * x), np.ones(1), first_step=0.2, shortest_step=1e-3)
+    )
+    assert not results[-1].converged
+    assert all(result.converged for result in results[:-1])
+    assert results[-2].x[0] == pytest.approx(0.0, abs=0.2)
 
 
-def test_a_minimum_film_at_a_front():
-    solution = softlube.solve(beta=50.0, substrate=LayerKernel(0.2))
-    assert solution.film_center == pytest.approx(0.0112645, rel=2e-4)
-    assert abs(solution.film_min - 0.007386) < solution.film_min.error < 0.05 * solution.film_min  # on 310 x 124 cells
-    (said,) = solution.warnings
-    assert "film_min is known to" in said
+def test_a_state_settles_at_the_steady_one():
+    """dx/dt = −arctan x, in implicit Euler steps, settles at x = 0 from where Newton's method diverges."""
 
+    def step(state, length):
+        return Scalar(lambda x: (x - state[0]) / length + np.arctan(x), lambda x: 1 / length + 1 / (1 + x**2))
 
-@pytest.mark.slow
-def test_a_front_that_no_grid_resolves():
-    lines = []
-    solution = softlube.solve(beta=100.0, substrate=LayerKernel(0.2), progress=lines.append)
-    assert "too few: no solution" in str(lines[0])  # and the next grid is taken
-    assert solution.film_center == pytest.approx(0.0078797, rel=1e-4)  # the same on 336 x 124 cells
-    assert np.isnan(solution.film_min)
-    assert np.isnan(solution.film_min_radius)
-    (said,) = solution.warnings
-    assert "film_min is not given" in said
+    steady = Scalar(np.arctan, lambda x: 1 / (1 + x**2))
+    results = list(settle(steady, step, np.array([20.0]), 0.1, 1e-4, 30.0))
+    assert results[-1].converged
+    assert results[-1].x[0] == pytest.approx(0.0, abs=1e-6)
+    states = [result.x[0] for result in results]
+    assert states == sorted(states, reverse=True)

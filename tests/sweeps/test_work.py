@@ -65,7 +65,7 @@ def another_constant(path):
     [
         ("transient/squeeze", {"squeeze", "sliding"}),
         ("transient/sliding", {"sliding"}),
-        ("steady/spike", {"steady", "sliding"}),
+        ("steady/refinements/spike", {"steady", "sliding"}),
         ("discretization", {"steady", "squeeze", "sliding"}),
         ("model", {"steady", "squeeze", "sliding"}),
         ("plots", set()),

@@ -12,7 +12,7 @@ from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, LayerKernel, from_plain, to_plain
 from softlube.model.substrates.layer import compliance_defect
 from softlube.steady.level import solve_level
-from softlube.steady.mesh import angles_for, grid_for
+from softlube.steady.mesh import grid_for
 from softlube.steady.regime import Regime
 
 
@@ -177,23 +177,6 @@ def test_the_boundary_layer_is_counted_from_the_dry_contact_on_the_layer(control
     assert solution.normalised("indentation" if control == "beta_load" else "load")["boundary_layer"] == pytest.approx(
         other.boundary_layer, abs=2e-4
     )
-
-
-def test_a_mesh_follows_the_steepness_of_the_edge():
-    half_space, thick, thin = (
-        Regime.of(Problem(beta=1e3, substrate=each)) for each in (HalfSpaceKernel(), LayerKernel(1e3), LayerKernel(0.3))
-    )
-    assert (half_space.steepness, angles_for(half_space, 26)) == (0, 26)
-    assert grid_for(half_space, 26).edge == 1
-    assert 0 <= thick.steepness < 1e-6
-    assert grid_for(thick, 26).shape == grid_for(half_space, 26).shape
-    assert 0.7 < thin.steepness < 1
-    # Under a light load the layers at the edge are wide, and the half-space's mesh does better.
-    light = Regime.of(Problem(beta_load=100.0, substrate=LayerKernel(0.3)))
-    assert light.beta < 300
-    assert (light.steepness, angles_for(light, 26)) == (0, 26)
-    assert 1 < grid_for(thin, 26).edge < 1 + thin.beta**-0.4
-    assert grid_for(thin, 26).n_r < grid_for(half_space, 26).n_r
 
 
 def test_load_and_indentation_control_agree():

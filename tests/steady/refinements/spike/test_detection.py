@@ -2,7 +2,6 @@
 
 import json
 import runpy
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -18,8 +17,7 @@ from softlube.model.quantities import Quantity
 from softlube.readout.flow import net_flux
 from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
-from softlube.steady.refinements.spike.detection import doubts, is_open, outlet_crest
-from softlube.steady.refinements.spike.refinement import Spike, crest_of
+from softlube.steady.refinements.spike.detection import doubts, is_open
 from softlube.steady.regime import Regime
 from softlube.theory.engineering import (
     BETA_LOAD_OF_M,
@@ -75,19 +73,6 @@ def test_march_ends_where_it_should(law):
     assert np.abs(residual[:-1][solved.x[:-1] > 0]).max() < 1e-6 * np.abs(residual).max()
     # GMRES does not notice that the fluidity vanishes: the film is the preconditioner's unknown.
     assert max(step.krylov for step in solved.level.history) <= 15
-
-
-def test_place_of_the_crest_and_the_mesh_there():
-    regime = Regime.of(moes(20, 10))
-    before = solve_level(regime, grid_for(regime, 18))
-    assert outlet_crest(before.fields) == pytest.approx(0.67, abs=0.07)  # 0.67 on the finest
-    crest = crest_of(regime, before.fields)
-    adjusted = grid_for(regime, 26, [partial(Spike(regime).adjust, before=before)])
-    assert adjusted.crest == crest == pytest.approx(outlet_crest(before.fields), abs=0.011)
-    assert adjusted.n_r > grid_for(regime, 26).n_r
-    assert Spike(regime).adjust(grid_for(regime, 26), None).crest == 0
-    thin = Regime.of(moes(20, 1))
-    assert Spike(thin).adjust(grid_for(thin, 26), before).crest == 0  # thin liquids keep the mesh that they had
 
 
 def test_a_spike_that_is_resolved():

@@ -1,0 +1,60 @@
+"""The kind of a contact: half-space, layer, gap, oil."""
+
+import numpy as np
+import pytest
+
+from softlube.model.liquids import BarusLaw
+from softlube.model.problem import Problem
+from softlube.model.substrates import LayerKernel
+from softlube.steady.level import solve_level
+from softlube.steady.mesh import grid_for
+from softlube.steady.regime import Regime
+
+
+def test_a_half_space_is_its_own_yardstick():
+    """β′ is the problem's β, and a contact has the radius that Hertz gives it."""
+    for problem in (Problem(beta=300.0), Problem(beta_load=300.0)):
+        regime = Regime.of(problem)
+        assert regime.beta == pytest.approx(300.0)
+        assert regime.dry.radius == pytest.approx(1.0)
+        assert (regime.steepness, regime.over_gap, regime.front, regime.thick, regime.deep) == (0, False, False, False, False)
+
+
+def test_a_thin_layer_is_steep_and_may_have_a_front():
+    layers = [Regime.of(Problem(beta=1e3, substrate=LayerKernel(thickness))) for thickness in (1e3, 1.0, 0.3, 0.2)]
+    steepness = [each.steepness for each in layers]
+    assert steepness == sorted(steepness)
+    assert steepness[0] < 1e-6
+    assert 0.7 < steepness[2] < 1
+    assert [each.front for each in layers] == [False, False, False, True]
+    assert layers[-1].beta > 1e3 * layers[-1].dry.radius ** 4
+
+
+@pytest.mark.parametrize(
+    ("problem", "over_gap"),
+    [
+        (Problem(beta=10.0, height=1), True),
+        (Problem(beta=10.0, height=0), True),
+        (Problem(beta=1e-3), False),
+        (Problem(beta_load=1.0), True),
+        (Problem(beta_load=100.0), False),
+        (Problem(beta_load=10.0, substrate=LayerKernel(0.05)), False),  # hardly indented, and yet a contact
+    ],
+)
+def test_a_sphere_over_a_gap(problem, over_gap):
+    assert bool(Regime.of(problem).over_gap) is over_gap
+
+
+def test_thickening_is_taken_at_the_largest_dry_pressure():
+    """Ln η/η₀ = αp of a Barus liquid, and Hertz's largest pressure is 2/π² in the problem's unit."""
+    assert Regime.of(Problem(beta_load=1e3, liquid=BarusLaw(20.0))).thickening == pytest.approx(20 * 2 / np.pi**2)
+
+
+@pytest.mark.parametrize("cavitation", ["reynolds", "none"])
+@pytest.mark.parametrize(("beta_load", "within"), [(1e-4, 0.01), (0.1, 0.06), (1e4, 0.05)])
+def test_the_first_height_is_near(beta_load, within, cavitation):
+    problem = Problem(beta_load=beta_load, cavitation=cavitation)
+    values = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 12)).level.values
+    assert Regime.of(problem).first_height == pytest.approx(
+        values["height"], abs=within * max(abs(values["height"]), values["film_center"], 1)
+    )
