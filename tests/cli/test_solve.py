@@ -42,7 +42,6 @@ def test_json_is_one_object_and_nothing_else(capsys, contact, physical):
     captured = capsys.readouterr()
     data = json.loads(captured.out)
     assert captured.err == ""
-    assert data["converged"] is True
     assert data["beta"] == physical.beta
     assert set(STEADY) <= set(data["quantities"])
     assert data["quantities"]["film_min"] == {"value": physical.film_min, "error": physical.film_min.error}

@@ -143,7 +143,7 @@ def test_a_store_of_squeeze_films_outlives_changes_elsewhere(tmp_path):
     assert sweep() == (0, 0)
     with (copied / "plots" / "transient.py").open("a") as file:
         file.write("\nWIDTH = 3.0\n")
-    another_constant(copied / "steady" / "spike" / "closeup.py")
+    another_constant(copied / "steady" / "refinements" / "spike" / "closeup.py")
     assert sweep() == (2, 0)
     another_constant(copied / "transient" / "squeeze" / "rings.py")
     assert sweep() == (0, 2)

@@ -1,9 +1,9 @@
-"""Close-ups of a steep spike: the same contact on meshes that are laid about the spike's ridge, not about the contact.
+"""Close-ups of a steep spike: the contact on meshes whose centre is that of the spike's ridge, not that of the contact.
 
 In a compressible liquid the Petrusevich spike has a height, but under a law like Barus's it falls off within 10⁻⁴ contact
 radii, along a ridge that runs askew to circles about the contact's centre.  About a point nearer to the outlet the ridge is a
-circle, to some 10⁻³ contact radii over 45° on either side of the axis, so that a few fine rings resolve it as finely as one
-likes.  The equations do not know where their mesh has its centre; only the sphere's parabola moves.
+circle, to some 10⁻³ contact radii over 45° on either side of the axis, so that a few fine rings resolve it to any
+width.  The equations do not know where their mesh has its centre; only the sphere's parabola moves.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ EDGE_LAYER, SIDE_LAYER = 0.6, 3.0
 NEAR_AXIS = np.radians(150)
 """Angle about the contact's centre beyond which the ridge is taken for a circle."""
 NEAR_RIDGE = 0.2
-"""Where the fall is looked for, relative to the ridge's radius."""
+"""Distance from the ridge within which the fall is looked for, relative to the ridge's radius."""
 STEPS = 150
-"""Newton's at most."""
+"""Steps of Newton's method at most."""
 
 
 class ShiftedSystem(ContactSystem):
@@ -63,11 +63,11 @@ class CloseUp:
     Attributes
     ----------
     shift : float
-        From the contact's centre to the mesh's, downstream.
+        Distance from the contact's centre to the mesh's, downstream.
     radius : float
-        Of the ridge, about the mesh's centre, as it was foreseen.
+        Radius of the ridge about the mesh's centre, as the mesh before foresaw it.
     fields : Fields
-        About the mesh's centre.
+        Pressure and film, about the mesh's centre.
     seconds : float
         Time it took.
     """

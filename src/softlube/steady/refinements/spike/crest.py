@@ -1,4 +1,4 @@
-"""What close-ups say of a steep spike: how high it is, where it stands, and what the liquid in it does to the friction."""
+"""Quantities from close-ups of a steep spike: its height, its place, and the friction of the liquid in it."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ LEAST_ERROR = {
     "friction_domain": 4e-3,
     "boundary_layer": 1e-3,
 }
-"""Relative errors that such meshes leave (measured against 45 angles and cells half as wide)."""
+"""Relative errors that these meshes leave, measured against 45 angles and cells half as wide (benchmarks/spike_sphere.py)."""
 OF_WHAT_GRIDS_MISS = 0.1
-"""Error of a friction over what the contact's own grids miss of it."""
+"""Least error of a friction, over the part of it that the contact's own grids miss."""
 SAME_FILM = 1e-2
-"""Relative difference of the minimum films up to which a mesh is taken to see the same contact."""
+"""Relative difference of the minimum films up to which a close-up counts as a solution of the contact that the grids solved."""
 
 
 class Crest(NamedTuple):
@@ -67,7 +67,7 @@ class Crest(NamedTuple):
 
 
 class Reading(NamedTuple):
-    """A number that one close-up gives, and how far it is known to be off."""
+    """A number that one close-up gives, and its error so far as this close-up can tell."""
 
     value: float
     doubt: float
@@ -167,7 +167,7 @@ def couette_within(seen: CloseUp, pressure: Array, cutoff: float) -> float:
 def spike_quantities(
     regime: Regime, grids: Sequence[Fields], quantities: Mapping[str, Quantity], progress: Listener | None = None
 ) -> dict[str, Quantity]:
-    """What is known of a spike, and what goes by it, where that is better known than from the contact's grids.
+    """Height and place of a spike, and the quantities that it determines, where the contact's grids do not give them as well.
 
     Parameters
     ----------
@@ -176,7 +176,7 @@ def spike_quantities(
     grids : sequence of Fields
         Solutions on the contact's grids, coarse to fine.
     quantities : mapping of str to Quantity
-        What they give; nan for what they do not.
+        Quantities from these grids; nan for those that they do not give.
     progress : callable, optional
         Called with a `softlube.solvers.progress.Progress` after each further mesh.
     """
@@ -191,10 +191,10 @@ def spike_quantities(
 
 
 def resolve_spike(regime: Regime, fields: Fields, progress: Listener | None = None) -> dict[str, Quantity]:
-    """What goes by a spike that the contact's own grids cannot resolve, in the problem's own unit; nothing where a mesh fails.
+    """Quantities that a spike determines, from close-ups, in the problem's own unit; empty where a mesh fails.
 
-    Errors are the largest of the last change, half the one before, and what the last close-up itself leaves, the frictions' at
-    least a share of what the contact's own grids miss; no number whose error would be above 10 %.
+    An error is the largest of the last change, half the change before, and the error that the last close-up itself leaves; that
+    of a friction is at least a share of what the contact's own grids miss.  Quantities with an error above 10 % are left out.
 
     Parameters
     ----------
@@ -231,12 +231,12 @@ def _settled(said: Sequence[Reading]) -> Quantity:
 
 
 def _at_least(center: float, largest: Quantity) -> Quantity:
-    """The largest pressure, which a mesh about the spike knows at its nodes only: the contact's centre is none of them."""
+    """The largest pressure; a mesh about the spike knows it at its nodes only, and the contact's centre is not a node."""
     return Quantity(max(largest, center), largest.error)
 
 
 def _layer(fields: Fields, pressure_max: Quantity, edge: float) -> Quantity:
-    """The inlet's boundary layer, which the spike decides only as what 5 % are taken of."""
+    """The inlet's boundary layer, which depends on the spike only through the maximum pressure, of which it takes 5 %."""
     value = boundary_layer(fields, pressure_max, edge)
     off = [
         abs(boundary_layer(fields, pressure_max + error, edge) - value) for error in (-pressure_max.error, pressure_max.error)
@@ -253,18 +253,18 @@ def in_other_unit(
     unit: float,
     edge: float,
 ) -> dict[str, Quantity]:
-    """The same numbers normalised with another unit of height.
+    """The quantities that close-ups gave, normalised with another unit of height.
 
     Parameters
     ----------
     own : mapping of str to Quantity
         All quantities of the solution.
     on_grid : mapping of str to float
-        What its finest grid gave for them.
+        Quantities on the finest grid, in the unit of `own`.
     fields : Fields
-        In the other unit.
+        Solution on the finest grid, in the other unit.
     values : mapping of str to float
-        What they give.
+        Its quantities, in the other unit.
     unit : float
         The other unit over the solution's own.
     edge : float
@@ -273,7 +273,7 @@ def in_other_unit(
     result = {name: QUANTITIES[name].unit.rescaled(own[name], unit) for name in SPIKE_QUANTITIES if name in own}
     result["pressure_max"] = _at_least(values["pressure_center"], result["pressure_max"])
     for name in DISCS:
-        # Another disc, but the spike is in both, and so is what the grid has missed.
+        # The disc is another one, but both hold the spike, and so the part that the grid has missed.
         missed = QUANTITIES[name].unit.rescaled(Quantity(own[name] - on_grid[name], own[name].error), unit)
         result[name] = Quantity(values[name] + missed, missed.error)
     result["boundary_layer"] = _layer(fields, result["pressure_max"], edge)

@@ -14,31 +14,35 @@ from softlube.steady.error_estimate import LARGEST_ERROR
 
 Array = NDArray[np.floating]
 
-OUTLET = np.array([np.pi])
+OUTLET_AXIS = np.array([np.pi])
+"""Angle of the outlet axis, as a chart coordinate s."""
 SHARPEST = 2.0
-"""Change of ln η from a node to the next along r, in the outlet half, beyond which a spike is a needle (measured)."""
+"""Change of ln η from a node to the next along r, in the outlet half, beyond which a spike is a needle.  Measured, like the
+other constants here, against meshes about the spike (benchmarks/spike_sphere.py)."""
 NEAR = 0.6, 1.1
-"""Where the spike on the outlet axis is looked for, over the radius of the film's crest."""
+"""Range in which the spike on the outlet axis is looked for, over the radius of the film's crest."""
 LEFT_OF_FIRST_ORDER = 2.0
-"""Error over the last change of what converges like the spacing, on grids 1.5 times finer each."""
+"""Error over the last change of a quantity that converges like the spacing h, on grids 1.5 times finer each: the error is
+h/(1.5h − h) = 2 times the change."""
 BETWEEN_NODES = 0.25
-"""How far a spike's height hangs on where the nodes are, over the fall to the next of them (measured)."""
+"""Error of a spike's height that the place of the nodes leaves, over the fall to the next node."""
 RIDGE_ERROR = 0.06
-"""Relative error of the largest pressure beside the axis, where the ridge runs askew to the mesh and is a needle (measured)."""
+"""Relative error of the largest pressure beside the axis, where the ridge is a needle and runs askew to the mesh."""
 WELL_KNOWN = 0.02
 """Relative error of its height up to which a spike needs no mesh of its own."""
 SPIKE_QUANTITIES = ("pressure_max", *SPIKE)
-"""What a close-up of the spike gives, see `softlube.steady.refinements.spike.closeup`."""
+"""Quantities that a close-up of the spike gives, see `softlube.steady.refinements.spike.closeup`."""
 OPEN_SPIKE = (
     "the pressure has a spike at r = {:.2f} (outlet axis) that is narrower than the finest cells and grows from grid to grid, "
-    "so there is no maximum pressure, and nothing that goes by it; the films do not depend on it (docs/viscosity.md)"
+    "so there is no maximum pressure, and no friction or boundary layer that depends on it; the films do not depend on it "
+    "(docs/viscosity.md)"
 )
-"""What a solution with such a spike warns of; the radius over the unit of length."""
+"""Warning of a solution whose spike has no height; the radius is over the unit of length."""
 COARSE_SPIKE = (
     "the pressure has a spike at r = {:.2f} (outlet axis) that the contact's finest cells hardly resolve; not given, because "
     "the error would be above 10 %: {}; the films do not depend on it (docs/viscosity.md)"
 )
-"""The same where the spike has a height, and what it decides is not known well enough."""
+"""Warning where the spike has a height, and the quantities that it determines are not known well enough."""
 
 
 def outlet_crest(fields: Fields) -> float:
@@ -51,14 +55,19 @@ def outlet_crest(fields: Fields) -> float:
     lowest = np.argmin(np.where(fields.r < 2, fields.film[:, -1], np.inf))
     xi = np.linspace(0.0, float(chart.xi_of(fields.r[lowest])), 400)[1:]
     r = chart.r_of(xi)
-    slope = fields.film_spline(xi, OUTLET, dx=1)[:, 0] / chart.dr_dxi(r)
+    slope = fields.film_spline(xi, OUTLET_AXIS, dx=1)[:, 0] / chart.dr_dxi(r)
     return float(r[np.argmin(np.gradient(slope, r))])
 
 
 def outlet_spike(fields: Fields) -> tuple[Array, Array] | None:
-    """Radius and pressure of the node where the spike stands on the outlet axis, and how far the grid can tell them.
+    """The node at the top of the spike on the outlet axis; None where the pressure only falls.
 
-    That is a cell's width, and a share of the fall to the higher neighbour.  None where the pressure only falls.
+    Returns
+    -------
+    place : ndarray, shape (2,)
+        Radius and pressure of the node.
+    doubt : ndarray, shape (2,)
+        How far the grid can tell them: the width of a cell, and a share of the fall to the higher neighbour.
     """
     crest = outlet_crest(fields)
     pressure = fields.pressure[:, -1]
@@ -84,7 +93,7 @@ def ridge_error(fall: float) -> float:
 
 
 def is_needle(fields: Fields) -> bool:
-    """Whether the crest stands on one node, so that what goes by it is not known from these nodes at all."""
+    """Whether the crest stands on one node, so that these nodes tell nothing of the quantities that it determines."""
     return fields.steepest_fall > SHARPEST
 
 
@@ -96,14 +105,14 @@ def is_compressible(liquid: Liquid) -> bool:
 def is_open(fields: Fields) -> bool:
     """Whether a spike is a needle and has no height that grids could agree on, however fine.
 
-    A liquid that thickens without bound is carried along like a rigid punch, whose edge has an integrable singularity.  What is
-    denser under pressure is softer than that, and the pressure falls from a height that is finite.
+    A liquid that thickens without bound is carried along like a rigid punch, whose edge has an integrable singularity.  A
+    liquid that becomes denser under pressure is softer than a punch, and its pressure falls from a finite height.
     """
     return is_needle(fields) and not is_compressible(fields.liquid)
 
 
 def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
-    """Pressure and radius of the spike on the outlet axis over ever finer grids; nothing where there is none to agree on."""
+    """Pressure and radius of the spike on the outlet axis from two grids; empty unless both show a spike that is no needle."""
     before, last = (outlet_spike(fields) for fields in grids[-2:])
     if before is None or last is None or is_needle(grids[-1]):
         return {}
@@ -115,7 +124,7 @@ def tracked(grids: Sequence[Fields]) -> dict[str, Quantity]:
 
 
 def wants_close_up(fields: Fields, quantities: Mapping[str, Quantity]) -> bool:
-    """Whether there is a spike on the outlet axis that has a height, and the contact's own grids do not tell it well enough."""
+    """Whether a spike on the outlet axis has a height that the contact's own grids do not tell well enough."""
     if is_open(fields) or not fields.is_sharp or outlet_spike(fields) is None:
         return False
     height = quantities.get("spike_pressure")
@@ -123,11 +132,11 @@ def wants_close_up(fields: Fields, quantities: Mapping[str, Quantity]) -> bool:
 
 
 def doubts(fields: Fields, quantities: Mapping[str, Quantity]) -> tuple[str, ...]:
-    """What is said of quantities that are not given."""
+    """Warnings about the quantities that a spike determines and that are not given."""
     if is_open(fields):
         return (OPEN_SPIKE.format(outlet_crest(fields)),)
     if not fields.is_sharp:
-        return ()  # what is nan here has other reasons
+        return ()  # a quantity that is nan has another reason
     missing = [name for name, value in quantities.items() if np.isnan(value)]
     if is_needle(fields) and "spike_pressure" not in quantities:
         missing.append("spike_pressure")
