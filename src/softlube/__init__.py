@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from softlube.errors import InputError, NotConvergedError, SoftlubeError
+    from softlube.experiments.approach import slide, squeeze
     from softlube.experiments.fit import fit
     from softlube.experiments.measurements import Measurements, read_measurements
     from softlube.experiments.stribeck import stribeck_curve
+    from softlube.files.histories import read_history
     from softlube.files.netcdf import load
     from softlube.model import dry, liquids, substrates
     from softlube.model.indenters import Sphere
@@ -27,13 +29,14 @@ if TYPE_CHECKING:
     from softlube.model.substrates import HalfSpace, Layer
     from softlube.physical.contact import Contact
     from softlube.physical.rig import Rig
-    from softlube.physical.squeeze import squeeze
+    from softlube.physical.squeeze import History
     from softlube.readout import flow, free_boundary, friction
     from softlube.steady.solution import Solution
     from softlube.steady.solve import solve
     from softlube.sweeps import sweep
     from softlube.theory import engineering, inlet, limits, scaling, side
     from softlube.theory import master_curve as curve
+    from softlube.transient.sliding.result import Slide
     from softlube.transient.squeeze.result import Squeeze
 
 __version__ = "0.2.0.dev0"
@@ -41,20 +44,24 @@ __version__ = "0.2.0.dev0"
 # Names are imported when first used: the command line answers --help without NumPy.
 _NAMES = {
     "Contact": "physical.contact",
+    "History": "physical.squeeze",
     "InputError": "errors",
     "Measurements": "experiments.measurements",
     "NotConvergedError": "errors",
     "Problem": "model.problem",
     "Quantity": "model.quantities",
     "Rig": "physical.rig",
+    "Slide": "transient.sliding.result",
     "SoftlubeError": "errors",
     "Solution": "steady.solution",
     "Squeeze": "transient.squeeze.result",
     "fit": "experiments.fit",
     "load": "files.netcdf",
+    "read_history": "files.histories",
     "read_measurements": "experiments.measurements",
+    "slide": "experiments.approach",
     "solve": "steady.solve",
-    "squeeze": "physical.squeeze",
+    "squeeze": "experiments.approach",
     "stribeck_curve": "experiments.stribeck",
     "sweep": "sweeps",
 }
@@ -78,6 +85,7 @@ __all__ = [
     "Contact",
     "DowsonHigginson",
     "HalfSpace",
+    "History",
     "Incompressible",
     "InputError",
     "Layer",
@@ -88,6 +96,7 @@ __all__ = [
     "Quantity",
     "Rig",
     "Roelands",
+    "Slide",
     "Sliding",
     "SoftlubeError",
     "Solution",
@@ -105,9 +114,11 @@ __all__ = [
     "limits",
     "liquids",
     "load",
+    "read_history",
     "read_measurements",
     "scaling",
     "side",
+    "slide",
     "solve",
     "squeeze",
     "stribeck_curve",

@@ -82,7 +82,7 @@ def test_residuals():
 
 def test_friction_beyond_the_curve_goes_on_with_its_last_slope():
     model = small().cover(VALUES, 2.0, None)
-    low, high = model.master.low, model.master.high
+    low, high = model.curve.low, model.curve.high
     unit_beta = model.beta(VALUES)[0] * VISCOSITY
     for end, inner in ((low, 1.1 * low), (high, high / 1.1)):
         betas = np.array([inner, end, end**2 / inner])

@@ -5,7 +5,7 @@ import pytest
 
 import softlube
 from softlube.discretization.measure import integrate
-from softlube.experiments.load_curve import _node, _solution, curve
+from softlube.experiments.load_curve import _node, _solution, load_curve
 
 
 def test_the_poiseuille_part_is_the_moment_of_the_pressure(solution):
@@ -31,14 +31,14 @@ def test_the_poiseuille_part_is_the_moment_of_the_pressure(solution):
 
 
 def test_a_curve_between_its_nodes():
-    master = curve(100, 1e4)
+    curve = load_curve(100, 1e4)
     for beta in (137.0, 1890.0):
         solution = softlube.solve(beta_load=beta)
-        assert master.film_center(beta) == pytest.approx(solution.film_center, rel=1e-3)
-        doubt = max(1e-3, float(master.relative_error("couette", beta)))
-        assert master.friction(beta) == pytest.approx(solution.friction_domain, rel=doubt)
-    assert np.isnan(master.friction(1.0))
-    assert np.isnan(master.relative_error("couette", 1e7))
+        assert curve.film_center(beta) == pytest.approx(solution.film_center, rel=1e-3)
+        doubt = max(1e-3, float(curve.relative_error("couette", beta)))
+        assert curve.friction(beta) == pytest.approx(solution.friction_domain, rel=doubt)
+    assert np.isnan(curve.friction(1.0))
+    assert np.isnan(curve.relative_error("couette", 1e7))
 
 
 def test_named_and_numbered_regions_agree_in_the_hertz_limit():

@@ -74,7 +74,7 @@ def fit(
     region
         Where friction is counted, in contact radii of the load; or "domain", "contact" as in softlube solve.
     plot
-        Picture of the collapse on the master curve and of the residuals (.png, .pdf or .svg).
+        Picture of the data on the load curve and of the residuals (.png, .pdf or .svg).
     output
         JSON file with the result.
     as_json

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from softlube.model.quantities import Quantity
-    from softlube.physical.sliding import Slide
+    from softlube.transient.history import Transient
     from softlube.transient.squeeze.result import Squeeze
 
 MOTION = Group("Motion (give one of load, approach speed, history)", sort_key=2)
@@ -68,17 +68,17 @@ def squeeze(
         check_format("plot", plot)
         if output is not None and os.path.abspath(output) == os.path.abspath(plot):
             raise InputError("output, plot: expected two different files")
+    from softlube.experiments.approach import slide
+    from softlube.experiments.approach import squeeze as film
+    from softlube.physical.squeeze import WRITTEN_WAYS, check_one_way
     from softlube.transient.squeeze.result import Squeeze
 
-    if Sliding.inputs.keys() & physical.keys():
-        from softlube.physical.sliding import slide as follow
-    else:
-        for name in names_of((), StartOfSliding):
-            if name in physical:
-                raise InputError(f"{name}: only a start of sliding has it; give --speed or leave it out")
-        from softlube.physical.squeeze import squeeze as follow
-    if not {"load", "approach_speed", "history"} & physical.keys():
-        raise InputError("load, approach_speed, history: all missing; give exactly one of them")
+    slides = bool(Sliding.inputs.keys() & physical.keys())
+    for name in names_of((), StartOfSliding):
+        if name in physical and not slides:
+            raise InputError(f"{name}: only a start of sliding has it; give --speed or leave it out")
+    check_one_way(physical, WRITTEN_WAYS)
+    follow = slide if slides else film
     options: dict[str, Any] = physical if accuracy is None else physical | {"accuracy": accuracy}
 
     began = time.perf_counter()
@@ -97,10 +97,20 @@ def squeeze(
         return 0
     seconds, written = time.perf_counter() - began, [path for path in (output, plot) if path is not None]
     if isinstance(result, Squeeze):
-        _report(result, seconds, written)
+        remarks = _dimple(result)
+        took = f"{result.time.size} time steps on {result.rings[-1]} rings in {seconds:.1f} s; "
+        took += f"balance of volume to {result.run.volume_error:.0e}."
     else:
-        _report_sliding(result, seconds, written)
+        remarks, took = [], f"{result.time.size} time steps on {result.angles[-1]} angles in {seconds:.1f} s."
+    _report(result, " of sliding" if slides else "", remarks, [took, *(f"Wrote {path}" for path in written)])
     return 0
+
+
+def _dimple(result: Squeeze) -> list[str]:
+    """A sentence on the dimple, if there is one."""
+    if result.dimple_time != result.dimple_time:  # nan
+        return []
+    return [f"The film is thinnest off the axis (a dimple) after {result.dimple_time:.3g} s."]
 
 
 def _table(quantities: Mapping[str, Quantity]) -> Table:
@@ -118,41 +128,21 @@ def _table(quantities: Mapping[str, Quantity]) -> Table:
     return table
 
 
-def _report(result: Squeeze, seconds: float, written: list[str]) -> None:
-    scale = 1e-3 * abs(float(result.final["pressure_center"]))
-    # The far field's pressure is next to nothing.
-    shown = {name: q for name, q in result.final.items() if name not in ("pressure_max", "pressure_min") or abs(q) > scale}
-    remarks = []
-    if result.dimple_time == result.dimple_time:  # not nan
-        remarks.append(f"The film is thinnest off the axis (a dimple) after {result.dimple_time:.3g} s.")
-    last = (
-        f"{result.run.time.size} time steps on {result.rings[-1]} rings in {seconds:.1f} s; "
-        f"balance of volume to {result.run.volume_error:.0e}."
-    )
-    doubt = result.time_error * result.scale("time")[0]
-    _print(result, doubt, "", _table(shown), remarks, last, written)
-
-
-def _report_sliding(result: Slide, seconds: float, written: list[str]) -> None:
-    last = f"{result.time.size} time steps on {result.angles[-1]} angles in {seconds:.1f} s."
-    _print(result, result.time_error, " of sliding", _table(result.final), [], last, written)
-
-
-def _print(
-    result: Squeeze | Slide, doubt: float, what: str, table: Table, remarks: list[str], last: str, written: list[str]
-) -> None:
-    """When and why it ended, the last values, warnings, what it took."""
+def _report(result: Transient, what: str, remarks: list[str], last: list[str]) -> None:
+    """Print when and why it ended, the last values, remarks, warnings, and what it took."""
     from rich.console import Console
 
+    # Far out the pressure is next to nothing, and so is its least value where the liquid is pressed out everywhere.
+    least = 1e-3 * abs(float(result.final.get("pressure_center", 0.0)))
+    shown = {name: q for name, q in result.final.items() if name not in ("pressure_max", "pressure_min") or abs(q) > least}
     console = Console(highlight=False, soft_wrap=True)
     why = "the film reached its limit" if result.run.ended_by == "film_limit" else "the end of the motion"
-    error = f" ± {doubt:.2g}" if doubt else ""
+    error = f" ± {result.time_error:.2g}" if result.time_error else ""
     console.print(f"After {result.time[-1]:.6g}{error} s{what} ({why}):", markup=False)
-    console.print(table, soft_wrap=False)
+    console.print(_table(shown), soft_wrap=False)
     for remark in remarks:
         console.print(remark, markup=False)
     for warning in result.warnings:
         console.print(f"[bold yellow]Warning:[/] {warning}.")
-    console.print(last, markup=False)
-    for path in written:
-        console.print(f"Wrote {path}", markup=False)
+    for line in last:
+        console.print(line, markup=False)

@@ -39,7 +39,7 @@ class Fit:
     Attributes
     ----------
     model : Model
-        Data, fixed parameters, master curve.
+        Data, fixed parameters, load curve.
     values : mapping of str to float
         All parameters, fitted and fixed, in SI.
     estimates : mapping of str to Estimate
@@ -117,7 +117,7 @@ class Fit:
         }
 
     def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
-        """Collapse on the master curve and residuals; written to `path` if given."""
+        """Collapse on the load curve and residuals; written to `path` if given."""
         from softlube.plots.experiments import plot_fit
 
         return plot_fit(self, path)
@@ -167,7 +167,8 @@ def fit(
     seed : int
         Of what is drawn.
     force, region
-        Which friction was measured, see `softlube.experiments.load_curve.Curve`; it matters for the viscosity (`Fit.others`).
+        Which friction was measured, see `softlube.experiments.load_curve.LoadCurve.friction`; it matters for the viscosity
+        (`Fit.others`).
     compare : bool
         Whether to repeat the fit for the other forces and regions.
     progress : callable, optional
@@ -259,7 +260,7 @@ def _others(
         if progress is not None:
             progress(Progress("other forces and regions", number, len(pairs)))
         try:
-            again, optimum = solve_model(replace(model, force=force, master=None), other, robust=robust, start=values)
+            again, optimum = solve_model(replace(model, force=force, curve=None), other, robust=robust, start=values)
         except SoftlubeError:  # such as contacts beyond what can be solved: then there is no comparison
             continue
         found[force, other] = again.values(optimum.x)["viscosity"]
@@ -270,10 +271,10 @@ def verdicts(found: Fit) -> tuple[str, ...]:
     """Whether the data determine the parameters, in sentences."""
     low, high = float(found.beta.min()), float(found.beta.max())
     result = [f"The data span beta = {low:.3g} to {high:.3g}, {math.log10(high / low):.1f} decades."]
-    master = found.model.master
-    if master is not None and high > master.high:
+    curve = found.model.curve
+    if curve is not None and high > curve.high:
         result.append(
-            f"{int((found.beta > master.high).sum())} rows lie above beta = {master.high:.3g}, up to which the curve was "
+            f"{int((found.beta > curve.high).sum())} rows lie above beta = {curve.high:.3g}, up to which the curve was "
             "solved; it goes on there with its last slope."
         )
     for name, estimate in found.estimates.items():

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from softlube.errors import InputError, NotConvergedError
-from softlube.experiments.load_curve import WIDEST, Curve, check_friction, curve
+from softlube.experiments.load_curve import WIDEST, LoadCurve, check_friction, load_curve
 from softlube.experiments.measurements import Measurements
+from softlube.model.exact import hertz_indentation
 from softlube.physical.units import to_si
 from softlube.solvers.progress import Listener
 
@@ -55,8 +56,8 @@ class Model:
         Parameters that are fitted.
     noise : {"relative", "absolute"}
         Whether the scatter is in proportion to the friction, or the same for all.
-    force, slide_to_roll : see `softlube.experiments.load_curve.Curve.friction`
-    master : Curve or None
+    force, slide_to_roll : see `softlube.experiments.load_curve.LoadCurve.friction`
+    curve : LoadCurve or None
     """
 
     data: Measurements
@@ -65,7 +66,7 @@ class Model:
     free: tuple[str, ...]
     noise: str
     force: str
-    master: Curve | None = None
+    curve: LoadCurve | None = None
 
     @property
     def scale(self) -> float:
@@ -85,30 +86,30 @@ class Model:
         """β of Eq. (30)."""
         data = data or self.data
         shear_modulus = values["young_modulus"] / 3
-        delta = (3 * data.load / (16 * shear_modulus * math.sqrt(self.radius))) ** (2 / 3)
+        delta = hertz_indentation(data.load, self.radius, shear_modulus)
         return 2 * math.pi / 3 * delta**2 / self.radius * shear_modulus / (values["viscosity"] * data.speed)
 
     def unit(self, values: dict[str, float], data: Measurements | None = None) -> Array:
         """(2π/3) G δ², Eqs. (26), (29) [N]."""
         load = (data or self.data).load
         shear_modulus = values["young_modulus"] / 3
-        return 2 * math.pi / 3 * shear_modulus * (3 * load / (16 * shear_modulus * math.sqrt(self.radius))) ** (4 / 3)
+        return 2 * math.pi / 3 * shear_modulus * hertz_indentation(load, self.radius, shear_modulus) ** 2
 
     def friction(self, values: dict[str, float], data: Measurements | None = None) -> Array:
         """Friction force [N].  Beyond the ends of the curve it goes on with its last slope, so that a search does not fall
         off.
         """
-        assert self.master is not None
+        assert self.curve is not None
         beta = self.beta(values, data)
-        low, high = self.master.low, self.master.high
+        low, high = self.curve.low, self.curve.high
         inside = np.clip(beta, low, high)
         rolls = (data or self.data).slide_to_roll
-        normalised = self.master.friction(inside, force=self.force, slide_to_roll=rolls)
+        normalised = self.curve.friction(inside, force=self.force, slide_to_roll=rolls)
         for end, inner in ((low, 1.1 * low), (high, high / 1.1)):
             beyond = beta < low if end == low else beta > high
             if beyond.any():
                 at_end, further_in = (
-                    self.master.friction(b, force=self.force, slide_to_roll=rolls[beyond]) for b in (end, inner)
+                    self.curve.friction(b, force=self.force, slide_to_roll=rolls[beyond]) for b in (end, inner)
                 )
                 slope = np.log(np.abs(at_end / further_in)) / math.log(end / inner)
                 normalised[beyond] *= (beta[beyond] / end) ** slope
@@ -134,12 +135,12 @@ class Model:
         return values
 
     def cover(self, values: dict[str, float], region: str | float, progress: Listener | None) -> Model:
-        """With a master curve around the β of the data."""
+        """With a load curve around the β of the data."""
         beta = self.beta(values)
         low, high = (min(max(float(end), WIDEST[0]), WIDEST[1]) for end in (beta.min() / ROOM, beta.max() * ROOM))
-        if self.master is not None:
-            low, high = min(low, self.master.low), max(high, self.master.high)
-        return replace(self, master=curve(low, high, region=region, accuracy=ACCURACY, progress=progress))
+        if self.curve is not None:
+            low, high = min(low, self.curve.low), max(high, self.curve.high)
+        return replace(self, curve=load_curve(low, high, region=region, accuracy=ACCURACY, progress=progress))
 
 
 @dataclass(frozen=True)
@@ -212,7 +213,7 @@ def solve_model(
     start: dict[str, float] | None = None,
     progress: Listener | None = None,
 ) -> tuple[Model, Optimum]:
-    """Fit, with a master curve that reaches over the data at the parameters found.
+    """Fit, with a load curve that reaches over the data at the parameters found.
 
     Raises
     ------
@@ -224,9 +225,9 @@ def solve_model(
         model = model.cover(values, region, progress)
         optimum = optimise(model, values, robust=robust)
         values = model.values(optimum.x)
-        assert model.master is not None
-        low, high, beta = model.master.low, BEYOND * model.master.high, model.beta(values)
-        if low <= beta.min() and beta.max() <= (high if not remaining else model.master.high):
+        assert model.curve is not None
+        low, high, beta = model.curve.low, BEYOND * model.curve.high, model.beta(values)
+        if low <= beta.min() and beta.max() <= (high if not remaining else model.curve.high):
             return model, optimum
         if not remaining:
             row = int(np.argmin(beta) if beta.min() < low else np.argmax(beta))

@@ -40,7 +40,7 @@ FEWEST = 5
 WIDEST = (1e-4, 1e8)
 """β beyond which no node is tried."""
 FORCES = ("sphere", "total", "couette")
-"""Which force is called the friction; see `Curve.friction`."""
+"""Which force is called the friction; see `LoadCurve.friction`."""
 REGIONS = {"contact": CONTACT, "domain": DOMAIN}
 """Regions with a name, as in `softlube.discretization.measure`."""
 
@@ -122,7 +122,7 @@ def _node(index: int, region: str | float, cavitation: Cavitation, accuracy: flo
 
 
 @dataclass(frozen=True)
-class Curve:
+class LoadCurve:
     """Film and friction under a given load against β.
 
     Attributes
@@ -213,7 +213,7 @@ def check_friction(force: str, region: str | float) -> None:
         raise InputError(f"region: expected a number of contact radii up to 15, got {region!r}")
 
 
-def curve(
+def load_curve(
     low: float,
     high: float,
     *,
@@ -221,17 +221,17 @@ def curve(
     cavitation: Cavitation = "reynolds",
     accuracy: float = ACCURACY,
     progress: Listener | None = None,
-) -> Curve:
-    """The master curve over a range of β_load.
+) -> LoadCurve:
+    """Film and friction at a given load over a range of β_load.
 
     Solutions are kept in memory, so that a second curve costs little.
 
     Parameters
     ----------
     low, high : float
-        Range wanted; the curve covers as much of it as can be solved (`Curve.low`, `Curve.high`).
+        Range wanted; the curve covers as much of it as can be solved (`LoadCurve.low`, `LoadCurve.high`).
     region : str or float
-        See `Curve`.
+        See `LoadCurve`.
     cavitation : {"reynolds", "none"}
         See `softlube.solve`.
     accuracy : float
@@ -273,4 +273,4 @@ def curve(
     order = sorted(found)
     log_beta = math.log(10) / PER_DECADE * np.array(order)
     ends = float(np.exp(log_beta[0])), float(np.exp(log_beta[-1]))
-    return Curve(max(low, ends[0]), min(high, ends[1]), region, tuple(found[i] for i in order), log_beta)
+    return LoadCurve(max(low, ends[0]), min(high, ends[1]), region, tuple(found[i] for i in order), log_beta)

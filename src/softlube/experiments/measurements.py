@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
-from softlube.files.tables import header_names, read_table
+from softlube.files.tables import header_names, one_of, read_table
 
 Array = NDArray[np.floating]
 
@@ -88,8 +88,8 @@ def read_measurements(path: str | os.PathLike[str], *, slide_to_roll: float = 2.
         See `softlube.files.tables.read_table`; also if both or none of two alternative columns are there.
     """
     names = header_names(path)
-    kind = _one_of(path, names, "speed", "entrainment_speed")
-    force = _one_of(path, names, "friction", "friction_coefficient")
+    kind = one_of(path, "speed", "entrainment_speed")
+    force = one_of(path, "friction", "friction_coefficient")
     rolls = ["slide_to_roll"] if "slide_to_roll" in names else []
     table = read_table(path, ["load", kind, force, *rolls], drop_repeats=True, drop_missing=True)
     columns = table.columns
@@ -103,9 +103,3 @@ def read_measurements(path: str | os.PathLike[str], *, slide_to_roll: float = 2.
         table.source,
         table.notices,
     )
-
-
-def _one_of(path: str | os.PathLike[str], names: list[str], first: str, second: str) -> str:
-    if first in names and second in names:
-        raise InputError(f"{os.path.basename(path)}, line 1: {first} and {second} are both there; keep one of them")
-    return second if second in names else first

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from softlube.errors import InputError
-from softlube.experiments.load_curve import Curve, check_friction, curve
+from softlube.experiments.load_curve import LoadCurve, check_friction, load_curve
 from softlube.model.quantities import header
 from softlube.physical.rig import Rig, hertz_force
 from softlube.physical.units import to_si
@@ -57,9 +57,9 @@ def stribeck_curve(
     roughness : str, float or pint.Quantity, optional
         Root mean square roughness of both surfaces together, for λ.
     force : {"sphere", "total", "couette"}
-        See `softlube.experiments.load_curve.Curve.friction`.
+        See `softlube.experiments.load_curve.LoadCurve.friction`.
     region : float or {"domain", "contact"}
-        Where friction is counted, in units of the load's Hertz contact radius; see `softlube.experiments.load_curve.Curve`.
+        Where friction is counted, in units of the load's Hertz contact radius; see `softlube.experiments.load_curve.LoadCurve`.
     accuracy : float
         Of the solutions behind the curve.
     progress : callable, optional
@@ -100,32 +100,32 @@ def stribeck_curve(
         WIDE[0] if ends[1] is None else min(at_unit_speed) / ends[1],
         WIDE[1] if ends[0] is None else max(at_unit_speed) / ends[0],
     ]
-    master = curve(*wanted, region=region, cavitation=rig.cavitation, accuracy=accuracy, progress=progress)
+    curve = load_curve(*wanted, region=region, cavitation=rig.cavitation, accuracy=accuracy, progress=progress)
     rows = []
     for load, beta in zip(in_si, at_unit_speed, strict=True):
-        slow = beta / master.high if ends[0] is None else ends[0]
-        fast = beta / master.low if ends[1] is None else ends[1]
+        slow = beta / curve.high if ends[0] is None else ends[0]
+        fast = beta / curve.low if ends[1] is None else ends[1]
         if slow >= fast:
             raise InputError(f"slowest, fastest: nothing can be solved between them at {load:g} N")
         # The quotients above may land a rounding error outside the curve.
         speeds = np.geomspace(slow, fast, points)
         betas = beta / speeds
         if ends[0] is None or ends[1] is None:
-            betas = np.clip(betas, *(master.low if ends[1] is None else 0.0, master.high if ends[0] is None else math.inf))
-        rows.append(_rows(rig, master, load, speeds, betas, slide_to_roll, force, height))
+            betas = np.clip(betas, *(curve.low if ends[1] is None else 0.0, curve.high if ends[0] is None else math.inf))
+        rows.append(_rows(rig, curve, load, speeds, betas, slide_to_roll, force, height))
     return pd.concat(rows, ignore_index=True)
 
 
 def _rows(
-    rig: Rig, master: Curve, load: float, speeds: Any, betas: Any, slide_to_roll: float, force: str, roughness: float | None
+    rig: Rig, curve: LoadCurve, load: float, speeds: Any, betas: Any, slide_to_roll: float, force: str, roughness: float | None
 ) -> pandas.DataFrame:
     import pandas as pd
 
     contact = rig.contact(load=load, entrainment_speed=1.0)
-    friction = hertz_force(contact) * master.friction(betas, force=force, slide_to_roll=slide_to_roll)
+    friction = hertz_force(contact) * curve.friction(betas, force=force, slide_to_roll=slide_to_roll)
     # The Poiseuille part has about the error of the Couette part of pure sliding; S = 0 must not leave it without any.
-    scale = hertz_force(contact) * np.abs(master.friction(betas, force="couette"))
-    error = scale * master.relative_error("couette", betas) * max(abs(slide_to_roll) / 2, 0.1)
+    scale = hertz_force(contact) * np.abs(curve.friction(betas, force="couette"))
+    error = scale * curve.relative_error("couette", betas) * max(abs(slide_to_roll) / 2, 0.1)
     data: dict[str, Any] = {
         "load [N]": np.full(speeds.size, load),
         "entrainment_speed [m/s]": speeds,
@@ -138,9 +138,9 @@ def _rows(
         "friction_coefficient_error": error / load,
     }
     for name in ("film_center", "film_min"):
-        film = contact.unit_height * getattr(master, name)(betas)
+        film = contact.unit_height * getattr(curve, name)(betas)
         data[header(name, "m")] = film
-        data[header(name, "m", error=True)] = film * master.relative_error(name, betas)
+        data[header(name, "m", error=True)] = film * curve.relative_error(name, betas)
     if roughness is not None:
         ratio = data["film_min [m]"] / roughness
         data["lambda"] = ratio

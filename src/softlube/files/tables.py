@@ -10,6 +10,7 @@ import csv
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,15 +18,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
+from softlube.model.inputs import NUMBER, Input
 from softlube.physical.inputs import declared
-from softlube.physical.units import unit_factor
 
 Array = NDArray[np.floating]
 
 MISSING = frozenset({"", "na", "n/a", "nan", "null", "none", "-", "--", "?"})
 """Cells that say that there is no value, in lower case."""
-DIMENSIONLESS = frozenset({"beta", "beta_load", "slide_to_roll", "friction_coefficient"})
-"""Columns that are no input of a contact, and take no unit."""
+NUMBERS = {
+    "beta": Input("β of Eq. (6d)", NUMBER, "1000"),
+    "beta_load": Input("β by the load, Eq. (30)", NUMBER, "1000"),
+    "slide_to_roll": Input("Difference of the surface speeds over their mean", NUMBER, "2"),
+    # A drift of the force sensor can take a measured friction below zero.
+    "friction_coefficient": Input("Friction over load", NUMBER, "0.01", signed=True),
+}
+"""Columns without unit that are no input of an experiment."""
 FEW = 5
 """Lines named one by one in a notice."""
 
@@ -42,7 +49,7 @@ class Table:
     source : str
         Name of the file.
     columns : mapping of str to ndarray, shape (rows,)
-        In SI; nan where an optional cell is missing.
+        In SI.
     lines : ndarray of int, shape (rows,)
         Where each row stands in the file.
     notices : tuple of str
@@ -62,8 +69,9 @@ def read_table(
     path: str | os.PathLike[str],
     required: Sequence[str],
     *,
-    optional: Sequence[str] = (),
+    columns: Mapping[str, Input] | None = None,
     rename: Mapping[str, str] | None = None,
+    si_without_unit: bool = False,
     drop_repeats: bool = False,
     drop_missing: bool = False,
 ) -> Table:
@@ -73,10 +81,14 @@ def read_table(
     ----------
     path : path
         The file: UTF-8 (or UTF-16 with its mark), columns parted by commas, semicolons or tabs.
-    required, optional : sequence of str
-        Names of the columns: inputs of `softlube.physical.inputs`, or `DIMENSIONLESS` ones.
+    required : sequence of str
+        Names of the columns: inputs of `softlube.physical.inputs`, or `NUMBERS`.
+    columns : mapping of str to Input, optional
+        Declarations of columns that are no inputs, or that mean something else in this table.
     rename : mapping of str to str, optional
         Header in the file, without its unit, for the name of a column where it differs.
+    si_without_unit : bool
+        Take a column without a unit to be in SI; otherwise it is refused.
     drop_repeats : bool
         Count a row once that repeats an earlier one in every cell of the file.
     drop_missing : bool
@@ -104,7 +116,8 @@ def read_table(
     rows, where, repeated_headers = _rows(path, lines, separator, header)
     if not rows:
         raise InputError(f"{path.name}, line {number}: there are no rows below the header")
-    found = _columns(path, number, header, required, optional, rename or {})
+    known = {**NUMBERS, **declared(), **(columns or {})}
+    found = _columns(path, number, header, required, known, rename or {}, si_without_unit)
 
     notices = [_notice("the header stands again in", repeated_headers)] if repeated_headers else []
     if drop_repeats:
@@ -114,20 +127,21 @@ def read_table(
     by_column = list(zip(*rows, strict=True))
     comma = separator != "," and _decimal_comma(path, header, found, by_column, where)
     lines_array = np.array(where)
-    columns: dict[str, Array] = {}
+    values: dict[str, Array] = {}
     for name, (index, factor) in found.items():
-        columns[name] = factor * _numbers(path, header[index], name, by_column[index], where, comma)
+        values[name] = factor * _numbers(path, header[index], name, by_column[index], where, comma, known[name].signed)
     keep = np.ones(lines_array.size, dtype=bool)
     for name in required:
-        gaps = np.isnan(columns[name])
+        gaps = np.isnan(values[name])
         if gaps.any() and not drop_missing:
-            raise InputError(f"{path.name}, line {lines_array[gaps][0]}: {name} is missing; expected {_expected(name)}")
+            expected = known[name].expected.replace("such as", "in the unit of the header, such as")
+            raise InputError(f"{path.name}, line {lines_array[gaps][0]}: {name} is missing; expected {expected}")
         if gaps.any():
             notices.append(_notice(f"without {name}, left out:", lines_array[gaps].tolist()))
             keep &= ~gaps
     if not keep.any():
         raise InputError(f"{path.name}, line {lines_array[0]}: no row has all of {', '.join(required)}")
-    return Table(path.name, {name: values[keep] for name, values in columns.items()}, lines_array[keep], tuple(notices))
+    return Table(path.name, {name: column[keep] for name, column in values.items()}, lines_array[keep], tuple(notices))
 
 
 def header_names(path: str | os.PathLike[str]) -> list[str]:
@@ -138,6 +152,29 @@ def header_names(path: str | os.PathLike[str]) -> list[str]:
             separator = next((mark for mark in ";\t" if mark in first), ",")
             return [_name_and_unit(cell)[0] for cell in next(csv.reader([first], delimiter=separator, skipinitialspace=True))]
     return []
+
+
+def one_of(path: str | os.PathLike[str], first: str, second: str) -> str:
+    """Which of two columns that exclude each other a file has; the first where it has none.
+
+    Raises
+    ------
+    InputError
+        If it has both.
+    """
+    names = header_names(path)
+    if first in names and second in names:
+        raise InputError(f"{Path(path).name}, line 1: {first} and {second} are both there; keep one of them")
+    return second if second in names else first
+
+
+@contextmanager
+def given_as(name: str) -> Iterator[None]:
+    """Begin the message of every refusal with the name of the input that the file was given as."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
 
 
 def _text(path: Path) -> str:
@@ -203,30 +240,36 @@ def _name_and_unit(cell: str) -> tuple[str, str | None]:
 
 
 def _columns(
-    path: Path, line: int, header: list[str], required: Sequence[str], optional: Sequence[str], rename: Mapping[str, str]
+    path: Path,
+    line: int,
+    header: list[str],
+    required: Sequence[str],
+    declared: Mapping[str, Input],
+    rename: Mapping[str, str],
+    si_without_unit: bool,
 ) -> dict[str, tuple[int, float]]:
-    """Index and factor to SI of every column wanted."""
+    """Index and factor to SI of every required column."""
     wanted = {_name_and_unit(theirs)[0]: ours for theirs, ours in rename.items()}
     found: dict[str, tuple[int, float]] = {}
     for index, cell in enumerate(header):
         name, unit = _name_and_unit(cell)
         name = wanted.get(name, name)
-        if name not in (*required, *optional):
+        if name not in required:
             continue
         if name in found:
             raise InputError(f"{path.name}, line {line}: two columns are called {name}; keep one of them")
-        if not (known := declared().get(name)) or not known.unit:
+        known = declared[name]
+        if not known.unit:
             if unit not in (None, "", "1", "-"):
                 raise InputError(f"{path.name}, line {line}: {name} has no unit, got {unit!r}")
-            found[name] = index, 1.0
-            continue
-        if not unit:
+            unit = ""
+        elif not unit and not si_without_unit:
             example = known.example.split()[-1]
             raise InputError(
                 f"{path.name}, line {line}: {name} has no unit; expected one in the header, as in '{name} [{example}]'"
             )
         try:
-            found[name] = index, unit_factor(name, unit)
+            found[name] = index, known.read(f"1 {unit}", name) if unit else 1.0
         except InputError:
             message = f"{name} cannot be in {unit!r}; expected a unit of {known.expected}"
             raise InputError(f"{path.name}, line {line}: {message}") from None
@@ -277,17 +320,17 @@ def _decimal_comma(
     return "," in first
 
 
-def _numbers(path: Path, title: str, name: str, cells: Sequence[str], where: Sequence[int], comma: bool) -> Array:
+def _numbers(path: Path, title: str, name: str, cells: Sequence[str], where: Sequence[int], comma: bool, signed: bool) -> Array:
     try:
         values = np.array(list(map(float, cells)))
     except ValueError:
         values = np.array([_number(path, title, name, cell, where[i], comma) for i, cell in enumerate(cells)])
     impossible = np.isinf(values)
-    if not _signed(name):
+    if not signed:
         impossible |= values <= 0
     if impossible.any():
         row = int(np.argmax(impossible))
-        kind = "a finite number" if _signed(name) else "a positive, finite number"
+        kind = "a finite number" if signed else "a positive, finite number"
         raise InputError(f"{path.name}, line {where[row]}: {name}: expected {kind} under {title!r}, got {cells[row].strip()!r}")
     return values
 
@@ -302,16 +345,6 @@ def _number(path: Path, title: str, name: str, cell: str, line: int, comma: bool
         raise InputError(
             f"{path.name}, line {line}: {name}: {cell.strip()!r} under {title!r} is no number (units belong in the header)"
         ) from None
-
-
-def _expected(name: str) -> str:
-    known = declared().get(name)
-    return known.expected.replace("such as", "in the unit of the header, such as") if known else "a number"
-
-
-def _signed(name: str) -> bool:
-    """Whether a column may be zero or negative; friction may, which a drift of the force sensor can take there."""
-    return declared()[name].signed if name in declared() else name == "friction_coefficient"
 
 
 def _synonyms() -> dict[str, str]:

@@ -1,72 +1,79 @@
-"""Squeeze films as xarray Datasets, normalised or in SI."""
+"""Squeeze films and starts of sliding as xarray Datasets and NetCDF files, normalised or in SI."""
 
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 import xarray as xr
 
+from softlube.files.writing import check_destination, whole_file
 from softlube.model import liquids as liquids
 from softlube.model import substrates
 from softlube.model.quantities import QUANTITIES
 from softlube.transient.extremes import Extremes
-from softlube.transient.squeeze.integrate import HISTORIES
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from softlube.transient.history import PhysicalInput, Transient
 
-    from softlube.physical.squeeze import Setup
-    from softlube.transient.squeeze.result import Squeeze
+AXES = {"r": {"long_name": QUANTITIES["r"].words}, "theta": {"long_name": "angle from the inlet", "units": "rad"}}
+"""Attributes of the axes of film and pressure in files."""
 
 
-def to_dataset(result: Squeeze) -> xr.Dataset:
-    """Film and pressure on (time, r), the histories with their errors on time; in SI units if the input was physical."""
-    run, summary = result.run, result.to_dict()
-    coordinates = {
-        "time": ("time", run.time, {"long_name": "time since the start"}),
-        "r": ("r", run.film.grid.r, {"long_name": QUANTITIES["r"].words}),
-    }
+def to_dataset(result: Transient) -> xr.Dataset:
+    """A film in time as an xarray Dataset, in SI if the input was physical.
+
+    Parameters
+    ----------
+    result : Transient
+        A squeeze film or a start of sliding.
+
+    Returns
+    -------
+    Dataset
+        Film and pressure on (time, r), with sliding on (time, r, theta); on (time,) the histories with their errors, and the
+        terms of the balance of volume.
+    """
+    run = result.run
+    coordinates = {"time": ("time", run.time, {"long_name": f"time since the {result.start}"})}
+    coordinates |= {name: (name, getattr(run, name), AXES[name]) for name in result.axes}
     data: dict[str, tuple[Any, ...]] = {
-        "film": (("time", "r"), run.films, {"long_name": QUANTITIES["film"].words}),
-        "pressure": (("time", "r"), run.pressures, {"long_name": QUANTITIES["pressure"].words}),
+        name: (("time", *result.axes), values, {"long_name": QUANTITIES[name].words})
+        for name, values in (("film", run.films), ("pressure", run.pressures))
     }
-    for name in HISTORIES:
-        text = QUANTITIES[name].words
-        data[name] = ("time", result.histories[name], {"long_name": text})
-        data[name + "_error"] = ("time", result.errors[name], {"long_name": f"error of the {text}"})
-    for name, values, text in (
-        ("volume", run.volume, QUANTITIES["volume"].words),
-        ("inflow", run.inflow, QUANTITIES["inflow"].words),
-    ):
-        data[name] = ("time", values, {"long_name": text})
+    for name, values in result.values.items():
+        words = QUANTITIES[name].words
+        data[name] = ("time", values, {"long_name": words})
+        data[name + "_error"] = ("time", result.value_errors[name], {"long_name": f"error of the {words}"})
+    for name in result.balance:
+        data[name] = ("time", getattr(run, name), {"long_name": QUANTITIES[name].words})
     attributes = {
-        "title": "Normal approach of a rigid sphere to an elastic substrate through a film",
+        "title": result.title,
         "softlube_version": version("softlube"),
-        "ended_by": summary["ended_by"],
+        "ended_by": run.ended_by,
         "accuracy": result.accuracy,
-        "volume_error": summary["volume_error"],
-        "rings": json.dumps(summary["rings"]),
-        "warnings": json.dumps(summary["warnings"]),
-        "substrate": json.dumps(substrates.to_plain(run.motion.substrate)),
-        "liquid": json.dumps(liquids.to_plain(run.motion.liquid)),
+        **{name: json.dumps(value) if isinstance(value, list) else value for name, value in result.numerics.items()},
+        "warnings": json.dumps([]),
+        "substrate": json.dumps(substrates.to_plain(result.motion.substrate)),
+        "liquid": json.dumps(liquids.to_plain(result.motion.liquid)),
     }
-    return in_units(xr.Dataset(data, coords=coordinates, attrs=attributes), result.setup)
+    return in_units(xr.Dataset(data, coords=coordinates, attrs=attributes), result.setup, result.sliding)
 
 
-def in_units(data: xr.Dataset, setup: Setup | None, more: Mapping[str, Any] | None = None) -> xr.Dataset:
-    """A normalised dataset in SI, with its physical input and the doubts about it; without a setup with units "1".
+def in_units(data: xr.Dataset, setup: PhysicalInput | None, sliding: Mapping[str, Any]) -> xr.Dataset:
+    """A normalised dataset in SI, with its physical input and the warnings about its physics.
 
     Parameters
     ----------
     data : Dataset
         Normalised with the setup's unit of height.
-    setup : Setup or None
-        The physical input.
-    more : mapping of str to object, optional
-        Inputs besides the setup's.
+    setup : PhysicalInput or None
+        The physical input; without one the dataset keeps its numbers and has units of "1".
+    sliding : mapping of str to object
+        Inputs of the sliding, empty without sliding.
     """
     scaled = {}
     for name, values in data.variables.items():
@@ -77,9 +84,18 @@ def in_units(data: xr.Dataset, setup: Setup | None, more: Mapping[str, Any] | No
     data = data.assign_coords({name: scaled.pop(name) for name in list(data.coords) if name in scaled}).assign(scaled)
     if setup is None:
         return data
+    histories = {str(name): values.to_numpy() for name, values in data.data_vars.items() if values.dims == ("time",)}
+    doubts = setup.doubts(Extremes.of(data.time.to_numpy(), histories, data.pressure.to_numpy()))
+    return data.assign_attrs(warnings=json.dumps(doubts), inputs_SI=json.dumps(setup.inputs() | dict(sliding)))
 
-    def history(name: str) -> NDArray[Any]:
-        return (data[name] if name in data else data.pressure.min(("r", "theta"))).to_numpy()
 
-    doubts = setup.doubts(Extremes.of(data.time.to_numpy(), history))
-    return data.assign_attrs(warnings=json.dumps(doubts), inputs_SI=json.dumps(setup.inputs() | dict(more or {})))
+def save(result: Transient, path: str | os.PathLike[str]) -> None:
+    """Write a film in time as NetCDF 4.
+
+    Raises
+    ------
+    InputError
+        If the folder does not exist.
+    """
+    with whole_file(check_destination("output", path)) as temporary:
+        to_dataset(result).to_netcdf(temporary, engine="h5netcdf")

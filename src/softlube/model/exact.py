@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +15,21 @@ HERTZ_LOAD = 4 / (3 * np.pi)
 
 HERTZ_PRESSURE = 2 / np.pi**2
 """Maximum pressure of the Hertz contact in units of 4πG√(|h₀|/R); Eq. (7a)."""
+
+
+def hertz_indentation(load: Any, radius: Any, shear_modulus: Any) -> Any:
+    """Indentation of a dry Hertz contact in SI, δ = (3N/(16G√R))^(2/3), Eq. (29).
+
+    Parameters
+    ----------
+    load : float or ndarray
+        Normal load N [N].
+    radius : float or ndarray
+        Radius R of the sphere [m].
+    shear_modulus : float or ndarray
+        G of an incompressible half-space; E*/4 of any other [Pa].
+    """
+    return (3 * load / (16 * shear_modulus * np.sqrt(radius))) ** (2 / 3)
 
 
 def hertz_pressure(r: ArrayLike, radius: ArrayLike = 1.0) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 
 from softlube.errors import InputError
 from softlube.model.dry import DryContact, dry_contact_at
-from softlube.model.exact import HERTZ_LOAD
+from softlube.model.exact import HERTZ_LOAD, hertz_indentation
 from softlube.model.indenters import Sphere
 from softlube.model.liquids import DensityPart, Liquid, LiquidPart
 from softlube.model.liquids.newtonian import NewtonianLaw
@@ -69,7 +69,7 @@ class Materials:
 
     def hertz_indentation(self, load: float) -> float:
         """Indentation of a half-space under a load, Eq. (29) [m]."""
-        return (3 * load / (16 * self.substrate.contact_modulus * math.sqrt(self.radius))) ** (2 / 3)
+        return float(hertz_indentation(load, self.radius, self.substrate.contact_modulus))
 
     def scales(self, height: float) -> dict[str, tuple[float, str]]:
         """SI value and unit of each unit of the problem normalised with a height [m], Eqs. (4) and (26); docs/squeeze.md."""

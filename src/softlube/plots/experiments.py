@@ -40,7 +40,7 @@ def _write(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
 
 
 def plot_fit(found: Fit, path: str | os.PathLike[str] | None = None) -> Figure:
-    """The data on the master curve, and the residuals along it.
+    """The data on the load curve, and the residuals along it.
 
     Parameters
     ----------
@@ -67,16 +67,16 @@ def _some(size: int) -> slice:
 
 
 def _collapse(ax: Axes, found: Fit) -> None:
-    master = found.model.master
-    assert master is not None
+    curve = found.model.curve
+    assert curve is not None
     beta, friction = found.points
     some = _some(beta.size)
     load = 1e3 * found.model.data.load
     dots = ax.scatter(beta[some], friction[some], c=load[some], s=9, cmap="viridis", linewidths=0, zorder=3)
     ax.figure.colorbar(dots, ax=ax, label="load [mN]")
-    low, high = max(beta.min() / 2, master.low), min(beta.max() * 2, master.high)
+    low, high = max(beta.min() / 2, curve.low), min(beta.max() * 2, curve.high)
     line = np.geomspace(low, high, 200)
-    ax.plot(line, master.friction(line, force=found.model.force), color="black", lw=1, label="softlube, sliding")
+    ax.plot(line, curve.friction(line, force=found.model.force), color="black", lw=1, label="softlube, sliding")
     ax.plot(line, PAPER_FIT[0] * line ** -PAPER_FIT[1], ":", color="black", lw=1, label="paper, Eq. (28)")
     ax.set(xscale="log", yscale="log", xlabel=r"$\beta$", ylabel=r"$3F/(2\pi G\delta^2)$")
     ax.legend(loc="lower left")

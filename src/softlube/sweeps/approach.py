@@ -9,14 +9,16 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from softlube.errors import InputError
+from softlube.files.histories import read_history
 from softlube.model import liquids, substrates
 from softlube.model.motions import Sliding
 from softlube.model.quantities import QUANTITIES, Quantity, header
 from softlube.physical.inputs import SLIDING_BODIES, Approach, StartOfSliding, names_of
 from softlube.physical.sliding import read_sliding
-from softlube.physical.squeeze import WAYS, Setup, Table, exactly_one, read_history, read_motion
+from softlube.physical.squeeze import WRITTEN_WAYS, History, Setup, check_one_way, read_motion
 from softlube.sweeps.tasks import Outcome, Value, contents
 from softlube.transient.extremes import Extremes
+from softlube.transient.history import Transient
 from softlube.transient.motion import Motion
 from softlube.transient.sliding import result as sliding
 from softlube.transient.squeeze import result as squeezing
@@ -99,7 +101,7 @@ def _motion(task: SqueezeTask | SlidingTask) -> Motion:
     return replace(Motion.from_plain({**task.motion, **dict.fromkeys(task.bodies)}), **task.bodies)
 
 
-def _outcome(result: squeezing.Squeeze | sliding.Slide, facts: Mapping[str, Value], with_fields: bool) -> Outcome:
+def _outcome(result: Transient, facts: Mapping[str, Value], with_fields: bool) -> Outcome:
     """When and why a normalised motion ended, and its last values."""
     facts = {**facts, **asdict(result.extremes)}
     final = {"end_time": Quantity(float(result.time[-1]), result.time_error)} | result.final
@@ -117,13 +119,13 @@ class ApproachCase:
     Attributes
     ----------
     inputs : mapping of str to float or str
-        Arguments of `softlube.squeeze` or `softlube.physical.sliding.slide` in SI.
+        Arguments of `softlube.squeeze` or `softlube.slide` in SI.
     task : SqueezeTask or SlidingTask
         Normalised, rounded to `DIGITS` digits.
     setup : Setup
         What it is normalised with.
     sliding : mapping of str to object
-        See `softlube.physical.sliding.Slide`; empty without sliding.
+        See `softlube.transient.history.Transient`; empty without sliding.
     """
 
     inputs: Mapping[str, Value]
@@ -176,12 +178,12 @@ class Approaches:
 
     @property
     def parameters(self) -> tuple[str, ...]:
-        """Inputs of `softlube.squeeze` and of `softlube.physical.sliding.slide`."""
+        """Inputs of `softlube.squeeze` and of `softlube.slide`."""
         return tuple(names_of(SLIDING_BODIES, Approach, StartOfSliding))
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._histories: dict[str, Table] = {}
+        self._histories: dict[str, History] = {}
 
     @property
     def sources(self) -> tuple[Path, ...]:
@@ -189,7 +191,7 @@ class Approaches:
         return tuple(self._folder / name for name in self._histories)
 
     def accuracy(self, given: float | None, names: Iterable[str]) -> float:
-        """See `softlube.squeeze` and `softlube.physical.sliding.slide`."""
+        """See `softlube.squeeze` and `softlube.slide`."""
         usual, ladder = (2e-2, sliding) if "speed" in names else (1e-3, squeezing)
         finest, coarsest = ladder.FINEST_ACCURACY, ladder.COARSEST_ACCURACY
         accuracy = usual if given is None else given
@@ -210,9 +212,9 @@ class Approaches:
         slides = {name: inputs[name] for name in sliding if name in inputs}
         if slides and not slides.keys() & Sliding.inputs.keys():
             raise InputError(f"{next(iter(slides))}: only a start of sliding has it; give a speed or leave it out")
-        exactly_one({name: inputs.get(name) for name in WAYS if name in self.parameters})
-        table = self._histories.get(str(inputs.get("history")))
-        setup, motion = read_motion(inputs, table)
+        check_one_way(inputs, WRITTEN_WAYS)
+        course = self._histories.get(str(inputs.get("history")))
+        setup, motion = read_motion({**inputs, "history": course})
         plain, limit = _rounded(motion.to_plain()), _rounded(setup.film_limit / setup.unit_height)
         bodies = {"substrate": substrates.from_plain(plain["substrate"]), "liquid": liquids.from_plain(plain["liquid"])}
         if not slides:

@@ -62,7 +62,7 @@ def make_plan(
     combine : {"product", "zip"}
         Every value of a parameter with every value of the others, or first with first, second with second.
     accuracy : float, optional
-        See `softlube.solve`, `softlube.squeeze` and `softlube.physical.sliding.slide`; each has its own if not given.
+        See `softlube.solve`, `softlube.squeeze` and `softlube.slide`; each has its own if not given.
     folder : path
         Where the CSV files are.
 

@@ -237,6 +237,24 @@ def constant_speed(speed: float, initial_height: float, duration: float) -> Moti
     return Motion("height", drives.Descent(initial_height, speed), initial_height, duration)
 
 
+def points(time: ArrayLike, values: ArrayLike) -> tuple[Array, Array]:
+    """Times and values of a history as arrays.
+
+    Raises
+    ------
+    InputError
+        If there are fewer than two points, the times do not increase from 0, or a number is not finite.
+    """
+    time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
+    if time.ndim != 1 or time.shape != values.shape or time.size < 2:
+        raise InputError("history: expected at least two points of time and load or height")
+    if not (np.all(np.isfinite(time)) and np.all(np.isfinite(values))):
+        raise InputError("history: expected finite numbers only")
+    if time[0] != 0 or np.any(np.diff(time) <= 0):
+        raise InputError("history: expected times that start at 0 and increase")
+    return time, values
+
+
 def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height: float | None = None) -> Motion:
     """A history given by points; see `softlube.transient.drives.Points`.
 
@@ -254,13 +272,7 @@ def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height
     InputError
         If there are fewer than two points, times that do not increase from 0, or values that are no numbers.
     """
-    time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
-    if time.ndim != 1 or time.shape != values.shape or time.size < 2:
-        raise InputError("history: expected at least two points of time and load or height")
-    if not (np.all(np.isfinite(time)) and np.all(np.isfinite(values))):
-        raise InputError("history: expected finite numbers only")
-    if time[0] != 0 or np.any(np.diff(time) <= 0):
-        raise InputError("history: expected times that start at 0 and increase")
+    time, values = points(time, values)
     if control == "height":
         initial_height = float(values[0])
     if initial_height is None:

@@ -127,6 +127,26 @@ class SlidingStart:
         return np.array([fields.height for fields in self.fields])
 
     @property
+    def r(self) -> Array:
+        """Radii of the grid's nodes."""
+        return self.fields[0].r
+
+    @property
+    def theta(self) -> Array:
+        """Angles of the grid's nodes from the inlet, 0 to π [rad]."""
+        return self.fields[0].theta
+
+    @property
+    def films(self) -> Array:
+        """Film thickness on (time, r, theta)."""
+        return np.array([fields.film for fields in self.fields])
+
+    @property
+    def pressures(self) -> Array:
+        """Pressure on (time, r, theta)."""
+        return np.array([fields.pressure for fields in self.fields])
+
+    @property
     def film_center(self) -> Array:
         """Film at the centre at every step."""
         return np.array([float(fields.film_at(0.0, 0.0)) for fields in self.fields])

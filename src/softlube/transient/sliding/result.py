@@ -1,14 +1,9 @@
-"""Following a start of sliding to a stated accuracy, and what comes of it."""
+"""A start of sliding, followed to a stated accuracy, and the film that results."""
 
 from __future__ import annotations
 
-import json
-import os
-from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
-from importlib.metadata import version
-from typing import TYPE_CHECKING, Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,19 +11,11 @@ from scipy.interpolate import PchipInterpolator
 
 from softlube.discretization.measure import measure
 from softlube.errors import InputError, NotConvergedError
-from softlube.model import liquids as liquids
-from softlube.model import substrates
 from softlube.model.problem import Cavitation
-from softlube.model.quantities import QUANTITIES, Quantity
-from softlube.physical.squeeze import Setup
 from softlube.solvers.progress import Listener
-from softlube.transient.extremes import Extremes
+from softlube.transient.history import Transient
 from softlube.transient.motion import Motion
 from softlube.transient.sliding.integrate import SlidingStart, start_sliding
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-    from xarray import Dataset
 
 Array = NDArray[np.floating]
 
@@ -43,144 +30,37 @@ HISTORIES = ("film_center", "film_min", "pressure_max", "height", "load", "frict
 indentation of the largest)."""
 
 
-@dataclass(frozen=True)
-class Slide:
-    """A sphere that starts to slide; in SI units if the input was physical, normalised otherwise.
+@dataclass(frozen=True, kw_only=True)
+class Slide(Transient):
+    """A start of sliding: film, pressure and friction as functions of the time since a sphere began to slide.
+
+    Its histories are those of `softlube.transient.sliding.result.HISTORIES`; `softlube.transient.history.Transient` has the
+    other attributes.
 
     Attributes
     ----------
-    motion : Motion
-        What moves the sphere up and down, normalised.
-    sliding : mapping of str to object
-        Speed (normalised: β), time that the sphere is pressed before, cavitation condition.
     run : SlidingStart
         The finest integration, normalised with the motion's unit of height.
-    values, value_errors : mapping of str to ndarray, shape (k,)
-        Of the quantities in `HISTORIES`, see `softlube.model.quantities`; normalised, with estimates of |value − exact|.
-    end_error : float
-        Estimated error of the normalised time at which the film limit was reached; 0 where it was not.
     angles : tuple of int
-        Angular intervals of the grids that were used.
-    accuracy : float
-        Relative accuracy asked of the films.
-    setup : Setup or None
-        The physical input, but for the sliding.
+        Number of angular intervals of each grid that was used, coarse to fine.
     """
 
-    motion: Motion
-    sliding: Mapping[str, Any]
+    title: ClassVar[str] = "Start of sliding"
+    start: ClassVar[str] = "start of the sliding"
+    axes: ClassVar[tuple[str, ...]] = ("r", "theta")
+
     run: SlidingStart
-    values: Mapping[str, Array]
-    value_errors: Mapping[str, Array]
-    end_error: float
     angles: tuple[int, ...]
-    accuracy: float
-    setup: Setup | None = None
-
-    def scale(self, kind: str) -> tuple[float, str]:
-        """SI value and unit of the normalised unit of "time", "length", "height", "pressure", "load" or "friction"."""
-        return (1.0, "") if self.setup is None else self.setup.units[kind]
 
     @property
-    def time(self) -> Array:
-        """Time since the start of the sliding, in s if the input was physical."""
-        return self.run.time * self.scale("time")[0]
+    def theta(self) -> Array:
+        """Angles of the grid's nodes from the inlet, 0 to π [rad]."""
+        return self.run.theta
 
     @property
-    def time_error(self) -> float:
-        """`end_error`, likewise."""
-        return self.end_error * self.scale("time")[0]
-
-    @cached_property
-    def histories(self) -> dict[str, Array]:
-        """`values`, in SI if the input was physical."""
-        return {name: values * self.scale(QUANTITIES[name].dimension)[0] for name, values in self.values.items()}
-
-    @cached_property
-    def errors(self) -> dict[str, Array]:
-        """`value_errors`, likewise."""
-        return {name: errors * self.scale(QUANTITIES[name].dimension)[0] for name, errors in self.value_errors.items()}
-
-    @property
-    def final(self) -> dict[str, Quantity]:
-        """The last values with their errors."""
-        return {
-            name: Quantity(self.histories[name][-1], self.errors[name][-1], self.scale(QUANTITIES[name].dimension)[1])
-            for name in HISTORIES
-        }
-
-    @property
-    def extremes(self) -> Extremes:
-        """What the doubts about it go by, in SI if the input was physical."""
-
-        def history(name: str) -> Array:
-            if name != "pressure_min":
-                return self.histories[name]
-            return self.scale("pressure")[0] * np.array([fields.pressure.min() for fields in self.run.fields])
-
-        return Extremes.of(self.time, history)
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """Doubts about the physics."""
-        return () if self.setup is None else self.setup.doubts(self.extremes)
-
-    @property
-    def dataset(self) -> Dataset:
-        """Film and pressure on (time, r, theta), 0 ≤ θ ≤ π from the inlet, and the histories."""
-        import xarray as xr
-
-        from softlube.files.transient import in_units
-
-        first = self.run.fields[0]
-        coordinates = {
-            "time": ("time", self.run.time, {"long_name": "time since the start of the sliding"}),
-            "r": ("r", first.r, {"long_name": "distance from the axis"}),
-            "theta": ("theta", first.theta, {"long_name": "angle from the inlet", "units": "rad"}),
-        }
-        data: dict[str, tuple[Any, ...]] = {}
-        for name in ("film", "pressure"):
-            data[name] = (("time", "r", "theta"), np.array([getattr(f, name) for f in self.run.fields]), {"long_name": name})
-        for name in HISTORIES:
-            data[name] = ("time", self.values[name], {"long_name": QUANTITIES[name].words})
-            data[name + "_error"] = ("time", self.value_errors[name], {"long_name": f"error of the {QUANTITIES[name].words}"})
-        attributes = {
-            "title": "Start of sliding",
-            "softlube_version": version("softlube"),
-            "ended_by": self.run.ended_by,
-            "accuracy": self.accuracy,
-            "angles": json.dumps(self.angles),
-            "warnings": json.dumps(self.warnings),
-            "substrate": json.dumps(substrates.to_plain(self.motion.substrate)),
-            "liquid": json.dumps(liquids.to_plain(self.motion.liquid)),
-        }
-        return in_units(xr.Dataset(data, coords=coordinates, attrs=attributes), self.setup, self.sliding)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write `dataset` as NetCDF 4."""
-        from softlube.files.writing import check_destination, whole_file
-
-        with whole_file(check_destination("output", path)) as temporary:
-            self.dataset.to_netcdf(temporary, engine="h5netcdf")
-
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
-        """Film and pressure along the direction of sliding at some times, and the histories."""
-        from softlube.plots.transient import sliding_picture
-
-        return sliding_picture(self, path)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Final values and what was done, ready for JSON."""
-        return {
-            "ended_by": self.run.ended_by,
-            "time": {"value": float(self.time[-1]), "error": self.time_error},
-            "final": {name: {"value": float(q), "error": q.error, "unit": q.unit} for name, q in self.final.items()},
-            "accuracy": self.accuracy,
-            "angles": list(self.angles),
-            "steps": self.time.size,
-            "rejected_steps": self.run.rejected,
-            "warnings": list(self.warnings),
-        }
+    def numerics(self) -> dict[str, Any]:
+        """Angular intervals of the grids, and the number of time steps that were taken back."""
+        return {"angles": list(self.angles), "rejected_steps": self.run.rejected}
 
 
 def check_accuracy(accuracy: float) -> None:

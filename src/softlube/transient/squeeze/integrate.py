@@ -62,6 +62,11 @@ class Run:
     dense: Callable[[float], Array]
 
     @property
+    def r(self) -> Array:
+        """Radii of the rings."""
+        return self.film.grid.r
+
+    @property
     def volume_error(self) -> float:
         """Largest defect of the balance of volume, over the largest change of the volume."""
         change = self.volume - self.volume[0]

@@ -1,27 +1,18 @@
-"""Following a motion to a stated accuracy, and what comes of it."""
+"""A motion without sliding, followed to a stated accuracy, and the squeeze film that results."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError, NotConvergedError
-from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.solvers.progress import Listener
-from softlube.transient.extremes import Extremes
+from softlube.transient.history import Transient
 from softlube.transient.motion import Motion
 from softlube.transient.squeeze.integrate import HISTORIES, Run, integrate
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-    from xarray import Dataset
-
-    from softlube.physical.squeeze import Setup
 
 Array = NDArray[np.floating]
 
@@ -40,84 +31,33 @@ JUDGED = ("film_center", "film_min")
 """Histories whose relative error decides when the grid is fine enough."""
 
 
-@dataclass(frozen=True)
-class Squeeze:
-    """A squeeze film as a function of time.
+@dataclass(frozen=True, kw_only=True)
+class Squeeze(Transient):
+    """A squeeze film: film, pressure and load as functions of the time while a sphere comes down or is pulled away.
+
+    Its histories are those of `softlube.transient.squeeze.integrate.HISTORIES`; `softlube.transient.history.Transient` has the
+    other attributes.
 
     Attributes
     ----------
     run : Run
         The finest integration, normalised (see `softlube.transient.squeeze.rings`).
-    histories, errors : mapping of str to ndarray, shape (k,)
-        Of the quantities in `HISTORIES`, see `softlube.model.quantities`; normalised, at ``run.time``, with estimates of
-        |value − exact|.
-    time_error : float
-        Estimated error of the time at which the film limit was reached; 0 where it was not.
-    accuracy : float
-        Relative accuracy asked of the films.
     rings : tuple of int
-        Rings of the grids that were used.
-    setup : Setup or None
-        The physical input.
-    warnings : tuple of str
-        Doubts about the physics.
+        Number of rings of each grid that was used, coarse to fine.
     """
 
+    title: ClassVar[str] = "Normal approach of a rigid sphere to an elastic substrate through a film"
+    start: ClassVar[str] = "start"
+    axes: ClassVar[tuple[str, ...]] = ("r",)
+    balance: ClassVar[tuple[str, ...]] = ("volume", "inflow")
+
     run: Run
-    histories: Mapping[str, Array]
-    errors: Mapping[str, Array]
-    time_error: float
-    accuracy: float
     rings: tuple[int, ...]
-    setup: Setup | None = None
-    warnings: tuple[str, ...] = field(default=())
-
-    def scale(self, kind: str) -> tuple[float, str]:
-        """SI value and unit of the normalised unit of "time", "length", "height", "pressure", "load" or "volume"."""
-        if self.setup is None:
-            return 1.0, ""
-        return self.setup.units[kind]
-
-    @property
-    def time(self) -> Array:
-        """The time steps, in s if the input was physical."""
-        return self.run.time * self.scale("time")[0]
-
-    def history(self, name: str) -> Array:
-        """One of the histories, in SI units if the input was physical."""
-        return self.histories[name] * self.scale(QUANTITIES[name].dimension)[0]
-
-    def error(self, name: str) -> Array:
-        """Its error, likewise."""
-        return self.errors[name] * self.scale(QUANTITIES[name].dimension)[0]
-
-    @property
-    def r(self) -> Array:
-        """Radii of the rings, in m if the input was physical."""
-        return self.run.film.grid.r * self.scale("length")[0]
-
-    @property
-    def film(self) -> Array:
-        """Film thickness, shape (times, rings)."""
-        return self.run.films * self.scale("height")[0]
-
-    @property
-    def pressure(self) -> Array:
-        """Pressure, shape (times, rings)."""
-        return self.run.pressures * self.scale("pressure")[0]
-
-    @property
-    def final(self) -> dict[str, Quantity]:
-        """The histories' last values with their errors."""
-        return {
-            name: Quantity(self.history(name)[-1], self.error(name)[-1], self.scale(QUANTITIES[name].dimension)[1])
-            for name in HISTORIES
-        }
 
     @property
     def dimple_time(self) -> float:
-        """When the minimum of the film leaves the axis for good; nan if it never does."""
-        radius = self.histories["film_min_radius"] / self.run.film.grid.edge
+        """Time at which the minimum of the film leaves the axis for good; nan if it never does."""
+        radius = self.values["film_min_radius"] / self.run.film.grid.edge
         if radius[-1] <= DIMPLE_RADIUS:
             return float("nan")
         on_axis = np.flatnonzero(radius <= DIMPLE_RADIUS)
@@ -130,43 +70,13 @@ class Squeeze:
         return float(np.clip(born, self.time[max(on_axis[-1] - 1, 0)], self.time[on_axis[-1] + 1]))
 
     @property
-    def extremes(self) -> Extremes:
-        """What the doubts about it go by, in SI if the input was physical."""
-        return Extremes.of(self.time, self.history)
-
-    @property
-    def dataset(self) -> Dataset:
-        """Everything as an xarray Dataset with the coordinates time and r."""
-        from softlube.files.transient import to_dataset
-
-        return to_dataset(self)
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write `dataset` as NetCDF 4."""
-        from softlube.files.writing import check_destination, whole_file
-
-        with whole_file(check_destination("output", path)) as temporary:
-            self.dataset.to_netcdf(temporary, engine="h5netcdf")
-
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
-        """Profiles of film and pressure at some times, and the histories."""
-        from softlube.plots.transient import picture
-
-        return picture(self, path)
+    def numerics(self) -> dict[str, Any]:
+        """Rings of the grids, and the defect of the balance of volume over the largest change of the volume."""
+        return {"volume_error": self.run.volume_error, "rings": list(self.rings)}
 
     def to_dict(self) -> dict[str, Any]:
-        """Final values and what was done, ready for JSON."""
-        return {
-            "ended_by": self.run.ended_by,
-            "time": {"value": float(self.time[-1]), "error": self.time_error * self.scale("time")[0]},
-            "dimple_time": None if np.isnan(self.dimple_time) else self.dimple_time,
-            "final": {name: {"value": float(q), "error": q.error, "unit": q.unit or "1"} for name, q in self.final.items()},
-            "volume_error": self.run.volume_error,
-            "accuracy": self.accuracy,
-            "rings": list(self.rings),
-            "steps": self.run.time.size,
-            "warnings": list(self.warnings),
-        }
+        """Final values, the dimple's time and what the computation took, ready for JSON."""
+        return super().to_dict() | {"dimple_time": None if np.isnan(self.dimple_time) else self.dimple_time}
 
 
 def follow(
@@ -176,7 +86,7 @@ def follow(
     film_limit: float = 0.0,
     progress: Listener | None = None,
 ) -> Squeeze:
-    """Follow a motion, normalised, on ever finer grids until the films are as accurate as asked for.
+    """Follow a normalised motion without sliding on ever finer grids until the films are as accurate as asked for.
 
     Parameters
     ----------
@@ -230,7 +140,7 @@ def follow(
     for step, rings in enumerate(LADDER[1:], 2):
         fine = run(rings, tolerance)
         result = _compared(fine, coarse, (coarsest, loose), accuracy, LADDER[:step])
-        worst = max(float(np.max(result.errors[name] / result.histories[name])) for name in JUDGED)
+        worst = max(float(np.max(result.value_errors[name] / result.values[name])) for name in JUDGED)
         if worst <= accuracy:
             return result
         coarse = fine
@@ -256,16 +166,11 @@ def _compared(fine: Run, coarse: Run, tolerances: tuple[Run, Run], accuracy: flo
             # Histories from two grids cross now and then, which makes neither of them exact.
             errors[name] = np.maximum(errors[name], LEAST_ERROR * fine.tolerance * np.abs(own[name]))
     return Squeeze(
+        motion=fine.motion,
         run=fine,
-        histories=own,
-        errors=errors,
-        time_error=float(max(abs(fine.time[-1] - run.time[-1]) for run in others)),
+        values=own,
+        value_errors=errors,
+        end_error=float(max(abs(fine.time[-1] - run.time[-1]) for run in others)),
         accuracy=accuracy,
         rings=rings,
     )
-
-
-def interpreted(result: Squeeze, setup: Setup) -> Squeeze:
-    """A normalised result with its physical input and the doubts about it."""
-    result = replace(result, setup=setup)
-    return replace(result, warnings=setup.doubts(result.extremes))
