@@ -6,6 +6,10 @@ import numpy as np
 import pytest
 
 import softlube
+from softlube.model.exact import HERTZ_LOAD
+from softlube.transient.motion import constant_load
+from softlube.transient.sliding.result import follow_sliding
+from softlube.transient.squeeze.result import follow
 
 
 @pytest.fixture(autouse=True)
@@ -30,3 +34,38 @@ def contact() -> softlube.Contact:
 def physical(contact) -> softlube.Solution:
     """The README's example, solved."""
     return contact.solve()
+
+
+@pytest.fixture(scope="session")
+def squeezed() -> softlube.Squeeze:
+    """A normalised squeeze film: the load of the Hertz contact from a height of 2 on."""
+    return follow(constant_load(HERTZ_LOAD, 2.0, 3e3))
+
+
+@pytest.fixture(scope="session")
+def slid() -> softlube.Slide:
+    """A normalised start of sliding: the load of the Hertz contact from a height of 1 on, β = 100."""
+    return follow_sliding(constant_load(HERTZ_LOAD, 1.0, 100.0), beta=100.0, accuracy=0.1)
+
+
+@pytest.fixture(scope="session")
+def fall() -> softlube.Squeeze:
+    """A squeeze film in SI."""
+    return softlube.squeeze(
+        radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", load="100 mN", initial_height="100 um", duration="0.1 s"
+    )
+
+
+@pytest.fixture(scope="session")
+def started() -> softlube.Slide:
+    """A start of sliding in SI, until the sliding is steady."""
+    return softlube.slide(
+        radius="2 mm",
+        young_modulus="3 MPa",
+        viscosity="2 Pa s",
+        load="100 mN",
+        speed="20 mm/s",
+        initial_height="100 um",
+        duration="0.2 s",
+        accuracy=0.05,
+    )

@@ -8,6 +8,7 @@ import xarray as xr
 from softlube.cli.main import main
 
 BALL = ["squeeze", "--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s"]
+SLIDING = [*BALL, "--load", "100 mN"]
 FALL = [*BALL, "--load", "100 mN", "--initial-height", "100 um", "--duration", "0.1 s"]
 
 
@@ -62,3 +63,29 @@ def test_an_accuracy_that_is_not_reached_exits_3_and_writes_nothing(capsys, monk
     assert main([*FALL, "--accuracy", "1e-4", "--output", str(tmp_path / "a.nc")]) == 3
     assert "36 rings" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_start_of_sliding(capsys, tmp_path):
+    path = tmp_path / "a.nc"
+    arguments = [*SLIDING, "--speed", "20 mm/s", "--initial-height", "100 um", "--duration", "5 ms", "--accuracy", "0.1"]
+    assert main([*arguments, "--output", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert "minimum film" in out
+    assert "friction" in out
+    assert "…" not in out
+    assert path.exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        (["--speed", "1 mm/s", "--history", "h.csv"], "--load, --history"),
+        (["--speed", "1 mm/s", "--approach-speed", "1 um/s"], "--load, --approach-speed"),
+        (["--speed", "1 mm/s", "--plot", "h.bmp"], "--plot"),
+        (["--pressed", "1 s"], "--pressed"),
+        (["--cavitation", "none"], "--cavitation"),
+    ],
+)
+def test_bad_combinations_on_the_command_line(capsys, options, text):
+    assert main([*SLIDING, "--initial-height", "100 um", "--duration", "1 s", *options]) == 2
+    assert text in capsys.readouterr().err

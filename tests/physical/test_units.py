@@ -4,7 +4,7 @@ import pint
 import pytest
 
 from softlube.errors import InputError
-from softlube.physical.units import in_unit, prefixed, to_si, unit_factor
+from softlube.physical.units import prefixed, to_si
 
 
 @pytest.mark.parametrize(
@@ -31,21 +31,6 @@ def test_text_quantities_and_numbers_mean_the_same(name, text, si):
 def test_a_radius_that_is_no_length_is_refused_by_name(value, reason):
     with pytest.raises(InputError, match=rf"radius: .*{reason}.*'2 mm'"):
         to_si("radius", value)
-
-
-def test_factors_of_units():
-    assert unit_factor("load", "mN") == pytest.approx(1e-3)
-    assert unit_factor("speed", "mm/s") == pytest.approx(1e-3)
-    with pytest.raises(InputError, match="load"):
-        unit_factor("load", "mm")
-
-
-def test_a_quantity_of_any_sign_in_a_unit():
-    assert in_unit("time", "-2 ms", "s", "a time") == pytest.approx(-2e-3)
-    assert in_unit("time", 0.5, "s", "a time") == 0.5
-    for bad in ("inf s", "2 m", "soon"):
-        with pytest.raises(InputError, match=r"time: .*a time"):
-            in_unit("time", bad, "s", "a time")
 
 
 @pytest.mark.parametrize(

@@ -122,7 +122,7 @@ def slide(
     >>> start = softlube.slide(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", load="100 mN", speed="10 mm/s",
     ...                        initial_height="100 um", duration="5 ms", accuracy=0.1)
     >>> round(start.final["film_center"] * 1e6, 1)  # µm
-    11.9
+    18.3
     """
     check_names(given, SLIDING_BODIES, Approach, StartOfSliding)
     setup, motion = read_motion(_with_history(given | {"height": height}))

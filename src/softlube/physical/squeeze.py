@@ -58,7 +58,7 @@ class History:
     >>> fall = softlube.squeeze(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", history=pressed,
     ...                         initial_height="100 um")
     >>> round(fall.final["film_center"] * 1e9)  # nm
-    407
+    395
     """
 
     control: Control
@@ -193,7 +193,7 @@ def read_motion(given: Mapping[str, Any]) -> tuple[Setup, Motion]:
             raise InputError(f"{name}: missing; expected {known[name].expected}")
     end = float(course.time[-1]) if course is not None else known["duration"].read(given["duration"])
     if starts_itself:
-        first = float(course.values[0]) if course is not None else float(height(0.0))
+        first = float(course.values[0]) if course is not None else float(height(0.0))  # type: ignore[misc]
         if not first > 0:
             raise InputError(f"height: expected a history that starts above the surface, got {first:.3g} m at time 0")
     else:

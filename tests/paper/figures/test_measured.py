@@ -25,6 +25,10 @@ def test_measured_points_in_both_forms(tmp_path, solutions):
     plain = tmp_path / "plain.csv"
     plain.write_text(f"beta,friction\n{points.beta[0]},{points.friction[0]}\n", encoding="utf-8")
     assert read_friction(plain).friction == pytest.approx(points.friction)
+    german = tmp_path / "german.csv"
+    german.write_text(f"beta;friction\n{str(points.beta[0]).replace('.', ',')};0,5\n", encoding="utf-8")
+    assert read_friction(german).beta == pytest.approx(points.beta)
+    assert read_friction(german).friction == pytest.approx(0.5)
     wide = {case: solutions[case] for case in FIGURES["13"].cases}
     drawn = FIGURES["13"].draw(wide, physical)
     table = next(table for table in drawn.tables if table.name == "measured").columns
@@ -35,18 +39,22 @@ def test_measured_points_in_both_forms(tmp_path, solutions):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("beta,friction\n", "has no points"),
-        ("beta,drag\n1,2\n", "has no column 'radius'"),
-        ("beta,friction\n1,-2\n", "point 1, column 'friction': expected a positive, finite number, got '-2'"),
-        ("beta,friction\n1,2\nx,2\n", "point 2, column 'beta': expected a number, got 'x'"),
-        ("beta,friction\n1\n", "point 1, column 'friction': expected a number, got ''"),
+        ("beta,friction\n", "data.csv, line 1: there are no rows below the header"),
+        (
+            "drag,load [N]\n1,2\n",
+            "line 1: expected columns 'beta' and 'friction' (normalised by the load, Eqs. 26, 29, 30), or all of 'radius [mm]'",
+        ),
+        ("beta,drag\n1,2\n", "line 1: no column friction"),
+        ("beta,friction\n1,-2\n", "line 2: friction: expected a positive, finite number under 'friction', got '-2'"),
+        ("beta,friction\n1,2\nx,2\n", "line 3: beta: 'x' under 'beta' is no number"),
+        ("beta,friction\n1\n", "line 2: 1 cells under 2 columns"),
         (
             "radius [mm],young_modulus [MPa],viscosity [Pa s],speed [mm/s],load [kg],friction [mN]\n1,1,1,1,1,1\n",
-            "column 'load' has the unit 'kg'",
+            "line 1: load cannot be in 'kg'; expected a unit of a force",
         ),
         (
             "radius,young_modulus [MPa],viscosity [Pa s],speed [mm/s],load [N],friction [mN]\n1,1,1,1,1,1\n",
-            "column 'radius' has the unit ''",
+            "line 1: radius has no unit; expected one in the header, as in 'radius [mm]'",
         ),
     ],
 )
