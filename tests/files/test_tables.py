@@ -53,10 +53,10 @@ def test_columns_that_exclude_each_other(tmp_path):
     path = write(tmp_path, "load [N], speed [m/s]\n1,1\n")
     assert one_of(path, "entrainment_speed", "speed") == "speed"
     assert one_of(path, "radius", "indentation") == "radius"
-    with pytest.raises(InputError, match="data.csv, line 1: load and speed are both there"):
+    with pytest.raises(InputError, match="line 1: load and speed are both there"):
         one_of(path, "load", "speed")
 
 
 def test_a_refusal_begins_with_the_input_that_gave_the_file():
-    with pytest.raises(InputError, match="^history: none: the"), given_as("history"):
+    with pytest.raises(InputError, match=r"^history: none: the"), given_as("history"):
         raise InputError("none: the file does not exist")

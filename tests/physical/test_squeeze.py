@@ -27,7 +27,7 @@ def test_a_load_is_normalised_with_its_hertz_contact():
 
 def test_a_speed_is_normalised_with_the_height_at_first():
     setup, motion = read_motion(BALL | {"approach_speed": "-10 um/s", "initial_height": "5 um", "duration": "2 s"})
-    assert setup.unit_height == 5e-6
+    assert setup.unit_height == pytest.approx(5e-6, rel=1e-14)
     assert (motion.control, motion.initial_height) == ("height", 1.0)
     assert motion.drive(motion.duration) == pytest.approx(5.0, rel=1e-12)  # 20 µm further away
 
@@ -41,7 +41,7 @@ def test_a_history_is_the_motion_at_its_points(control):
     time, unit = setup.units["time"][0], setup.units[control][0]
     assert [motion.drive(t / time) * unit for t in course.time] == pytest.approx(values, rel=1e-12)
     assert (setup.duration, setup.description) == (2.0, "history rig 3")
-    assert setup.initial_height == (100e-6 if control == "load" else 2e-5)
+    assert setup.initial_height == pytest.approx(100e-6 if control == "load" else 2e-5, rel=1e-14)
 
 
 def test_histories_are_checked():
@@ -62,7 +62,7 @@ def test_exactly_one_way_of_moving():
     check_one_way({"load": 1.0, "radius": 1.0}, WAYS)
     with pytest.raises(InputError, match="load, approach_speed, height, history: all missing; give exactly one of load,"):
         check_one_way({}, WAYS)
-    with pytest.raises(InputError, match="^load, history: given together; give exactly one of load, approach_speed, history$"):
+    with pytest.raises(InputError, match=r"^load, history: given together; give exactly one of load, approach_speed, history$"):
         check_one_way({"load": 1.0, "history": "h.csv"}, WRITTEN_WAYS)
 
 

@@ -18,7 +18,7 @@ def public(kind):
 
 
 def test_sisters_have_the_same_names():
-    common = public(Transient)
+    common = public(Transient) | set(Transient.__annotations__)
     assert public(softlube.Squeeze) - common == {"rings", "dimple_time"}
     assert public(softlube.Slide) - common == {"angles", "theta"}
 
@@ -33,7 +33,7 @@ def test_shapes_and_signs(request, name):
     for history, errors in zip(result.histories.values(), result.errors.values(), strict=True):
         assert history.shape == errors.shape == (steps,)
         assert np.all(errors >= 0)
-    assert np.all(result.histories["film_min"] <= result.histories["film_center"] * (1 + 1e-9))
+    assert np.all(result.histories["film_min"] <= result.histories["film_center"] * (1 + 1e-6))
     assert result.time_error == 0.0
 
 
@@ -68,7 +68,7 @@ def test_without_a_physical_input_nothing_is_scaled_or_doubted(squeezed, slid):
 
 
 def test_warnings_are_those_of_the_physical_input(started):
-    """A ball that is pressed harder and pulls: the setup is told the extremes in SI."""
+    """The physical input is told the extremes in SI."""
     extremes = started.extremes
     assert started.warnings == started.setup.doubts(extremes)
     assert extremes.largest_pressure == started.histories["pressure_max"].max()

@@ -42,7 +42,7 @@ def test_measured_points_in_both_forms(tmp_path, solutions):
         ("beta,friction\n", "data.csv, line 1: there are no rows below the header"),
         (
             "drag,load [N]\n1,2\n",
-            "line 1: expected columns 'beta' and 'friction' (normalised by the load, Eqs. 26, 29, 30), or all of 'radius [mm]'",
+            "line 1: expected columns 'beta' and 'friction' (normalised by the load, Eqs. 26, 29, 30), or",
         ),
         ("beta,drag\n1,2\n", "line 1: no column friction"),
         ("beta,friction\n1,-2\n", "line 2: friction: expected a positive, finite number under 'friction', got '-2'"),
