@@ -100,7 +100,7 @@ def of_solution(solution: Any) -> Numbers:
 def of_history(result: Any) -> Numbers:
     """Everything that a squeeze film or a start of sliding writes to a file."""
     numbers = {name: variable.values for name, variable in result.dataset.variables.items()}
-    return numbers | with_errors("final ", result.final) | {"time error": result.time_error}
+    return numbers | with_errors("final ", result.final) | {"time error": result.to_dict()["time"]["error"]}
 
 
 def of_table(table: Any) -> Numbers:

@@ -38,7 +38,7 @@ def test_json_and_film_limit(capsys):
     ("arguments", "text"),
     [
         ([*FALL, "--approach-speed", "1 um/s"], "--load, --approach-speed"),
-        (BALL, "--load, --approach-speed, --history: all missing; give exactly one of --load, --approach-speed, --history\n"),
+        (BALL, "--load, --approach-speed, --history: all missing; give exactly one of them\n"),
         ([*BALL, "--load", "1 N", "--duration", "1 s"], "--initial-height"),
         ([*FALL, "--plot", "a.bmp"], "--plot"),
         ([*FALL, "--output", "nowhere/a.nc"], "--output"),
@@ -81,7 +81,7 @@ def test_a_start_of_sliding(capsys, tmp_path):
     ("options", "text"),
     [
         (["--speed", "1 mm/s", "--history", "h.csv"], "--load, --history"),
-        (["--history", "h.csv"], "give exactly one of --load, --approach-speed, --history\n"),
+        (["--history", "h.csv"], "--load, --history: given together; give exactly one of them\n"),
         (["--speed", "1 mm/s", "--approach-speed", "1 um/s"], "--load, --approach-speed"),
         (["--speed", "1 mm/s", "--plot", "h.bmp"], "--plot"),
         (["--pressed", "1 s"], "--pressed"),

@@ -231,7 +231,7 @@ duration = "20 ms"
         (
             'load = "100 mN"',
             "",
-            "load, approach_speed, history: all missing; give exactly one of load, approach_speed, h",
+            "load, approach_speed, history: all missing; give exactly one of them",
         ),
         ('load = "100 mN"', 'load = "1 N"\napproach_speed = "1 um/s"', "line 9: load, approach_speed: given together"),
         ('load = "100 mN"', 'approach_speed = "0 m/s"', "line 9: approach_speed: zero"),

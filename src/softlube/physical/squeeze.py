@@ -151,7 +151,7 @@ def check_one_way(given: Mapping[str, object], ways: Sequence[str]) -> None:
     chosen = [name for name in ways if given.get(name) is not None]
     if len(chosen) != 1:
         verb = "given together" if chosen else "all missing"
-        raise InputError(f"{', '.join(chosen or ways)}: {verb}; give exactly one of {', '.join(ways)}")
+        raise InputError(f"{', '.join(chosen or ways)}: {verb}; give exactly one of them")
 
 
 def read_motion(given: Mapping[str, Any]) -> tuple[Setup, Motion]:
