@@ -24,7 +24,7 @@ print(
 print(*fit.verdicts, sep="\n")
 
 # %%
-# The collapse on the master curve, as in the paper's Fig. 13, and the residuals:
+# The data on the load curve, as in the paper's Fig. 13, and the residuals:
 
 figure = fit.plot("fit_viscosity.png")
 

@@ -1,4 +1,4 @@
-"""Measured data in, fitted parameters out; film and friction against speed.
+"""Experiments in SI: measured friction and its fit, Stribeck curves, squeeze films and starts of sliding.
 
 Depends on: `files`, `physical` and all above them.
 """

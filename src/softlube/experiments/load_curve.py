@@ -30,19 +30,19 @@ from softlube.steady.solve import solve
 Array = NDArray[np.floating]
 
 ACCURACY = 3e-3
-"""Of the solutions: the friction then has errors below 0.1 %, the least film below 1 %."""
+"""Relative accuracy of the solutions: the friction then has errors below 0.1 %, the minimum film below 1 %."""
 PER_DECADE = 5
 """Solutions a decade of β."""
 MARGIN = 1
-"""Nodes beyond either end of what is asked for: splines are worst at their ends."""
+"""Nodes beyond either end of the range asked for: splines are least accurate at their ends."""
 FEWEST = 5
-"""Nodes that a curve takes."""
+"""Least number of nodes of a curve."""
 WIDEST = (1e-4, 1e8)
-"""β beyond which no node is tried."""
+"""Range of β_load outside which nothing is solved."""
 FORCES = ("sphere", "total", "couette")
 """Which force is called the friction; see `LoadCurve.friction`."""
 REGIONS = {"contact": CONTACT, "domain": DOMAIN}
-"""Regions with a name, as in `softlube.discretization.measure`."""
+"""Radii of the regions with a name, as in `softlube.discretization.measure`."""
 
 
 def parse_region(text: str) -> str | float:
@@ -133,8 +133,9 @@ class LoadCurve:
         Where the friction is counted: a radius in units of the load's Hertz contact radius √(Rδ), which stays where it is when
         the speed changes; or the name of one, "contact" (1) or "domain" (2, the paper's).
     nodes : tuple of Node
+        The solutions, by rising β.
     log_beta : ndarray
-        Their ln β.
+        ln β_load of the nodes.
     """
 
     low: float
@@ -162,7 +163,7 @@ class LoadCurve:
         return self._at("film_center", beta_load)
 
     def film_min(self, beta_load: ArrayLike) -> Array:
-        """Least film over δ."""
+        """Minimum film over δ."""
         return self._at("film_min", beta_load)
 
     def friction(self, beta_load: ArrayLike, *, force: str = "sphere", slide_to_roll: ArrayLike = 2.0) -> Array:

@@ -1,7 +1,7 @@
-"""Tables of measurements and of cases: CSV with units in its header, read to SI or refused with the line.
+"""Tables of measurements, of cases and of histories: CSV with units in the header, read to SI or refused with the line.
 
 What spreadsheets and rigs write is read: byte order mark, semicolons or tabs, decimal commas, comments after #, empty lines and
-missing cells.  What could be read in two ways is not guessed at.
+missing cells.  What could be read in two ways is refused.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
 """SI in and out: units, materials, the physical contact, the rig, squeeze films and starts of sliding with units.
 
-Depends on: `transient`, `theory` and all above them.  Units exist here and at the command line, nowhere else.
+Depends on: `transient`, `theory` and all above them.  All rooms above compute with plain numbers, normalised.
 """

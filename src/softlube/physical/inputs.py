@@ -1,6 +1,6 @@
 """Inputs that belong to no part: how a contact is loaded, how a sphere is moved in time, what a rig measures.
 
-Importing this module makes every part known.  A new input of an experiment is a line here.
+Importing this module makes every part of the package known.  A new input of an experiment is a line here.
 """
 
 from __future__ import annotations

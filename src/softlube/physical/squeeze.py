@@ -84,12 +84,15 @@ class Setup(Materials):
         Height H that is 1 when normalised: the indentation of a half-space under the largest load, Eq. (29), or the initial
         height [m].
     control : {"load", "height"}
+        What is prescribed.
     description : str
-        How the sphere is moved.
-    initial_height, duration : float
-        In m and s.
+        How the sphere is moved: the input and its value.
+    initial_height : float
+        Height of the lowest point over the undeformed surface at first [m].
+    duration : float
+        Time to follow [s].
     film_limit : float
-        0 if not given [m].
+        Minimum film at which to stop, 0 for none [m].
     """
 
     unit_height: float
@@ -108,13 +111,13 @@ class Setup(Materials):
         """Warnings where the model may not describe the experiment, whose extremes are given in SI."""
         doubts = []
         depth, suction = max(-extremes.least_height, 0.0), -extremes.least_pressure
-        layer: list[str] = []
+        by_layer: list[str] = []
         radius = (self.radius * depth) ** 0.5
         substrate = self.substrate_for(self.unit_height)
         if depth > 0 and isinstance(substrate, LayerKernel):
             dry, changes = dry_effect(substrate, by_load=self.control == "load", depth=depth / self.unit_height)
             radius = dry.radius * self.units["length"][0]
-            layer = layer_doubt(dry, substrate, changes)
+            by_layer = layer_doubt(dry, substrate, changes)
         if radius > LARGEST_SLOPE * self.radius:
             doubts.append(
                 f"the contact radius reaches {radius / self.radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and the "
@@ -130,7 +133,7 @@ class Setup(Materials):
             doubts.append(
                 f"the film's Reynolds number rho V u/eta reaches {reynolds:.2g}, not small: inertia is neglected here"
             )
-        return (*doubts, *layer, *self.thickening_doubt(extremes.largest_pressure))
+        return (*doubts, *by_layer, *self.thickening_doubt(extremes.largest_pressure))
 
 
 def check_one_way(given: Mapping[str, object], ways: Sequence[str]) -> None:

@@ -1,4 +1,4 @@
-"""Quantities by the name of an input, and units as they are printed."""
+"""Inputs by their names in SI, and units with the SI prefixes that are printed."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ PREFIXES = ((-9, "n"), (-6, "µ"), (-3, "m"), (0, ""), (3, "k"), (6, "M"), (9, "
 
 
 def to_si(name: str, value: object) -> float:
-    """One physical input in SI.
+    """The value of an input in SI.
 
     Parameters
     ----------

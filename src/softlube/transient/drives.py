@@ -27,7 +27,7 @@ class Constant:
         return self.value
 
     def at(self, times: Array) -> Array:
-        """At many times."""
+        """Values at an array of times."""
         return np.full(times.shape, self.value)
 
 
@@ -43,7 +43,7 @@ class Descent:
         return self.start - self.speed * time
 
     def at(self, times: Array) -> Array:
-        """At many times."""
+        """Values at an array of times."""
         return self.start - self.speed * times
 
 
@@ -63,28 +63,28 @@ class Points:
         return float(self._curve(time))
 
     def at(self, times: Array) -> Array:
-        """At many times."""
+        """Values at an array of times."""
         return self._curve(times)
 
 
 KINDS: dict[str, type[Constant] | type[Descent] | type[Points]] = {cls.kind: cls for cls in (Constant, Descent, Points)}
-"""Every one by its name in files."""
+"""Classes of drives by their names in files."""
 
 
 def sampled(drive: Callable[[float], float], times: Array) -> Array:
-    """One of them, or any other function of the time, at many times."""
+    """Values of a drive, or of any other function of the time, at an array of times."""
     if isinstance(drive, (Constant, Descent, Points)):
         return drive.at(times)  # a plan of many cases looks at each
     return np.array([float(drive(t)) for t in times])
 
 
 def to_plain(drive: Callable[[float], float]) -> dict[str, Any]:
-    """One of them in plain values.
+    """A drive in plain values, for files.
 
     Raises
     ------
     InputError
-        If it is any other function of the time.
+        If it is a function of the time that is none of `KINDS`.
     """
     if not isinstance(drive, (Constant, Descent, Points)):
         raise InputError("history: a function of the time cannot be written down; expected a constant or a table of points")
@@ -92,7 +92,7 @@ def to_plain(drive: Callable[[float], float]) -> dict[str, Any]:
 
 
 def from_plain(values: Mapping[str, Any]) -> Constant | Descent | Points:
-    """Inverse of `to_plain`."""
+    """The drive that `to_plain` wrote."""
     arguments: dict[str, Any] = {
         name: tuple(value) if isinstance(value, (list, tuple)) else value for name, value in values.items()
     }

@@ -1,4 +1,4 @@
-"""What moves the sphere, and over what: a load or a height in time, normalised as in `softlube.transient.squeeze.rings`."""
+"""The motion of a sphere: a load or a height as a function of time, normalised as in `softlube.transient.squeeze.rings`."""
 
 from __future__ import annotations
 
@@ -25,16 +25,18 @@ Array = NDArray[np.floating]
 
 REACH = 30.0
 """Radius where the far field takes over, in units of the contact or of √(2h₀), whichever is larger."""
-LAYER, LAYER_MOVING, THINNEST_LAYER = 0.1, 0.2, 0.003
-"""Width of the refined zone at the contact's edge, over its radius: at most, where the edge moves, and at least."""
+EDGE_WIDTH, MOVING_EDGE_WIDTH, LEAST_EDGE_WIDTH = 0.1, 0.2, 0.003
+"""Width of the refined zone at the contact's edge, over its radius: at most under a load, where the height is given (the edge
+then moves), and at least."""
 NECK, NECK_EXPONENT = 0.5, -0.36
-"""Under a load the neck at the edge of the dimple narrows like a power of the time (measured)."""
+"""Under a load the neck at the edge of the dimple has the width NECK × time^NECK_EXPONENT over the contact radius; fitted to
+computed films."""
 DAMPING, LARGEST_ITERATIONS = 0.4, 200
-"""Of the iteration for the pressure at the start."""
+"""Damping factor, and most steps, of the fixed-point iteration for the pressure at the start."""
 LEAST_FLUIDITY = 1e-12
-"""Where a liquid is taken to thicken without bound at the start."""
+"""Fluidity η₀/η below which a liquid is taken to thicken without bound at the start."""
 SAMPLES = 2001
-"""Instants at which a history is looked at to find its extremes."""
+"""Number of times at which a history is evaluated to find its extremes."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +103,7 @@ class Motion:
 
     @classmethod
     def from_plain(cls, values: Mapping[str, Any]) -> Motion:
-        """Inverse of `to_plain`."""
+        """The motion that `to_plain` wrote."""
         parts: dict[str, Any] = {
             "drive": drives.from_plain(values["drive"]),
             "longest_step": np.inf if values["longest_step"] is None else values["longest_step"],
@@ -116,7 +118,7 @@ class Motion:
         return drives.sampled(self.drive, np.linspace(0, self.duration, SAMPLES))
 
     def in_units(self, unit: float) -> Motion:
-        """The same motion normalised with another unit of height, given over the present one."""
+        """The motion normalised with another unit of height, given over the present one."""
         clock, size = unit**1.5, unit**-1.5 if self.control == "load" else 1 / unit
         return replace(
             self,
@@ -144,13 +146,13 @@ class Motion:
 
     @property
     def _rigid_height(self) -> float:
-        """Where a rigid sphere comes to under a load, like exp(−(2/π) ∫N dt)."""
+        """Height that a rigid sphere sinks to under a load by Taylor's law, h₀ exp(−(2/π) ∫N dt)."""
         impulse = self.duration * float(np.mean(np.maximum(self.samples, 0.0)))
         return self.initial_height * float(np.exp(-min(2 * impulse / np.pi, 50.0)))
 
     @property
     def lowest_height(self) -> float:
-        """Lowest h₀ on the way, as far as it can be told beforehand: that of `deepest`, or a rigid sphere's."""
+        """Lowest h₀ that the motion comes to, estimated beforehand: that of `deepest`, or a rigid sphere's."""
         if self.control == "height":
             return float(self.samples.min())
         return self._rigid_height if self.deepest is None else -self.deepest.indentation
@@ -193,7 +195,7 @@ class Motion:
         )
 
     def yielding(self) -> float:
-        """About the largest share of the film by which the substrate yields, from Taylor's pressure at the start and lowest.
+        """Estimate of the substrate's largest deflection over the film, from Taylor's pressure at the first and lowest height.
 
         Infinite where the sphere comes down to the undeformed surface.
         """
@@ -214,26 +216,26 @@ class Motion:
         dry, lowest = self.deepest, self.lowest_height
         edge = np.sqrt(max(2 * lowest, 0.05 * self.initial_height))
         if dry is None:
-            layer = 0.5
+            width = 0.5
         else:
             edge = max(edge, dry.radius)
             # The time in units of the load's own, for which a half-space's edge is at 1: near its edge every contact is like
             # Hertz's of the same p/√(a − r).
             narrowing = NECK * (self.duration * (edge * dry.edge) ** 3) ** NECK_EXPONENT
-            layer = LAYER_MOVING if self.control == "height" else np.clip(narrowing, THINNEST_LAYER, LAYER)
+            width = MOVING_EDGE_WIDTH if self.control == "height" else np.clip(narrowing, LEAST_EDGE_WIDTH, EDGE_WIDTH)
         reach = REACH * max(
             1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge
         )
-        return PolarGrid(n_r=n_r, n_theta=6, layer=float(layer), reach=float(reach), edge=float(edge))
+        return PolarGrid(n_r=n_r, n_theta=6, layer=float(width), reach=float(reach), edge=float(edge))
 
 
 def constant_load(load: float, initial_height: float, duration: float) -> Motion:
-    """A constant load."""
+    """A motion under a constant load."""
     return Motion("load", drives.Constant(load), initial_height, duration)
 
 
 def constant_speed(speed: float, initial_height: float, duration: float) -> Motion:
-    """A constant speed of approach; negative for separation."""
+    """A motion at a constant speed of approach; a negative speed is a separation."""
     return Motion("height", drives.Descent(initial_height, speed), initial_height, duration)
 
 
@@ -256,7 +258,7 @@ def points(time: ArrayLike, values: ArrayLike) -> tuple[Array, Array]:
 
 
 def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height: float | None = None) -> Motion:
-    """A history given by points; see `softlube.transient.drives.Points`.
+    """A motion whose load or height is given at some times; see `softlube.transient.drives.Points`.
 
     Parameters
     ----------

@@ -24,10 +24,14 @@ LADDER = (12, 18, 26, 39)
 TOLERANCE = 0.1
 """Tolerance of a time step over the accuracy asked for."""
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-3, 0.1
+"""Accuracies that may be asked for."""
 JUDGED = ("film_center", "film_min")
+"""Histories whose relative errors decide whether the grid is fine enough."""
 HISTORIES = ("film_center", "film_min", "pressure_max", "height", "load", "friction_domain")
-"""Histories of a start of sliding.  Where the height is prescribed a = √(R × the initial height), under a load √(R × the Hertz
-indentation of the largest)."""
+"""Quantities of a start of sliding that are functions of the time; see `softlube.model.quantities`.
+
+The friction is that over r ≤ 2a.  Where the height is prescribed a = √(R × initial height); under a load a = √(R × Hertz
+indentation of the largest load)."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,7 +68,13 @@ class Slide(Transient):
 
 
 def check_accuracy(accuracy: float) -> None:
-    """Refuse an accuracy that no grid reaches, or that none is needed for."""
+    """Refuse an accuracy that is out of range.
+
+    Raises
+    ------
+    InputError
+        If it is not between `FINEST_ACCURACY` and `COARSEST_ACCURACY`.
+    """
     if not FINEST_ACCURACY <= accuracy <= COARSEST_ACCURACY:
         raise InputError(
             f"accuracy: expected a number from {FINEST_ACCURACY:g} to {COARSEST_ACCURACY:g} with sliding, got {accuracy!r}"
@@ -87,8 +97,10 @@ def follow_sliding(
     ----------
     motion, beta, pressed, cavitation, film_limit
         As for `softlube.transient.sliding.integrate.start_sliding`.
-    accuracy, progress
-        As for `slide`.
+    accuracy : float
+        Relative error of the films aimed at, at every time.
+    progress : callable, optional
+        Called with a `softlube.solvers.progress.Progress` after each time step.
 
     Raises
     ------
@@ -106,7 +118,7 @@ def follow_sliding(
             pressed=pressed,
             cavitation=cavitation,
             n_theta=n_theta,
-            # a coarser grid with longer steps, so that their difference tells of both
+            # The coarser grid has longer steps, so that the difference shows both errors.
             tolerance=TOLERANCE * accuracy * (LADDER[1] / n_theta) ** 2,
             film_limit=film_limit,
             progress=progress,

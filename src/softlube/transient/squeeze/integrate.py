@@ -21,7 +21,7 @@ Array = NDArray[np.floating]
 BALANCE_RADIUS = 2.0
 """Radius, over that of the grid's edge, within which the balance of volume is checked."""
 HISTORIES = ("film_center", "film_min", "film_min_radius", "pressure_center", "pressure_max", "pressure_min", "height", "load")
-"""What is told as a function of time."""
+"""Quantities of a squeeze film that are functions of the time; see `softlube.model.quantities`."""
 
 
 @dataclass(frozen=True)
@@ -31,18 +31,23 @@ class Run:
     Attributes
     ----------
     film : SqueezeFilm
+        The discrete equations.
     motion : Motion
+        The load or the height that was followed.
     tolerance : float
         Relative tolerance of the integrator on the film.
     time : ndarray, shape (k,)
         The accepted steps.
     films, pressures : ndarray, shape (k, N)
+        Film thickness and pressure on the rings.
     heights, loads : ndarray, shape (k,)
+        Height h₀ of the sphere's lowest point over the undeformed surface, and load ∫p dA.
     volume, inflow : ndarray, shape (k,)
         Liquid within `BALANCE_RADIUS`, and what has flowed in since the start, integrated on its own.
     ended_by : {"duration", "film_limit"}
+        What the integration stopped at.
     evaluations : int
-        Number of times that ∂u/∂t was taken.
+        Number of evaluations of ∂u/∂t.
     dense : callable
         Lifts on n rings at any time, by the integrator's own interpolant.
     """
@@ -73,7 +78,7 @@ class Run:
         return float(np.max(np.abs(change - self.inflow)) / np.max(np.abs(change), initial=1e-300))
 
     def histories(self, time: Array | None = None) -> dict[str, Array]:
-        """The `HISTORIES`, at the steps or at other times up to the last."""
+        """The `HISTORIES` at the steps, or at other times up to the last step."""
         if time is None:
             return read(self.film, self.films, self.pressures, self.heights, self.loads)
         return read(self.film, *_fields(self.film, self.motion, time, [self.dense(t) for t in time]))
@@ -89,7 +94,7 @@ def _fields(film: SqueezeFilm, motion: Motion, time: Array, inner: Sequence[Arra
 
 
 def read(film: SqueezeFilm, films: Array, pressures: Array, heights: Array, loads: Array) -> dict[str, Array]:
-    """Read the `HISTORIES` off the fields."""
+    """The `HISTORIES` of fields at some times."""
     least, radius = _lowest(film, films)
     return {
         "film_center": _center(films),

@@ -19,16 +19,17 @@ Array = NDArray[np.floating]
 LADDER = (64, 91, 128, 181, 256)
 """Rings of the grids, coarse to fine."""
 TOLERANCE = 1e-3
-"""Tolerance of a time step over the accuracy asked for: errors of several hundred steps add up."""
+"""Tolerance of the integrator over the accuracy asked for: errors of several hundred steps add up."""
 LEAST_ERROR = 10.0
-"""Relative error over the tolerance that is never promised to be undercut."""
+"""Least relative error that is stated, over the tolerance of the integrator."""
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-5, 0.1
+"""Accuracies that may be asked for."""
 RIGID = 100.0
-"""Share of the film by which the substrate yields, over the tolerance, below which the film says too little of the pressure."""
+"""Least deflection of the substrate over the film, over the tolerance: with less the film does not determine the pressure."""
 DIMPLE_RADIUS = 0.05
-"""Radius of the thinnest ring, over the contact's, from which on there is a dimple."""
+"""Radius at which the film is thinnest, over the contact radius, above which there is a dimple."""
 JUDGED = ("film_center", "film_min")
-"""Histories whose relative error decides when the grid is fine enough."""
+"""Histories whose relative errors decide whether the grid is fine enough."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -42,6 +42,7 @@ class SqueezeFilm:
     Attributes
     ----------
     grid : PolarGrid
+        Grid of the steady solver whose radial nodes are the rings.
     control : {"load", "height"}
         What is prescribed as a function of time, q below: the load ∫p dA or the height h₀.
     parabola : ndarray, shape (N,)
@@ -49,9 +50,9 @@ class SqueezeFilm:
     pressure_by_lift, pressure_by_drive : ndarray, shape (N, n) and (N,)
         p = pressure_by_lift l + pressure_by_drive q.
     height_by_lift, height_by_drive : ndarray, shape (n,), and float
-        h₀ likewise.
+        h₀ = height_by_lift l + height_by_drive q.
     rim_by_lift, rim_by_drive : ndarray, shape (RIM, n) and (RIM,)
-        The lift at the rim likewise.
+        Lift on the RIM rings at the rim = rim_by_lift l + rim_by_drive q.
     compliance : ndarray, shape (N, N)
         Deflection by pressure.
     load_weights : ndarray, shape (N,)
@@ -152,7 +153,7 @@ class SqueezeFilm:
         return self.pressure_by_lift @ lift + self.pressure_by_drive * drive
 
     def height(self, lift: Array, drive: float) -> float:
-        """h₀."""
+        """Height h₀ of the sphere's lowest point over the undeformed surface."""
         return float(self.height_by_lift @ lift + self.height_by_drive * drive)
 
     def load(self, pressure: Array) -> float:
