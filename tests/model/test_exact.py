@@ -42,6 +42,15 @@ def test_hertz_load():
     assert load == pytest.approx(exact.HERTZ_LOAD, rel=1e-10)
 
 
+def test_hertz_indentation():
+    """N = (4/3) E* √R δ^(3/2) with E* = 4G (Johnson 1985, Eq. 4.23), from floats and from arrays."""
+    radius, shear_modulus, depth = 2e-3, np.array([1e6, 3e5]), np.array([2e-5, 1e-4])
+    load = 4 / 3 * 4 * shear_modulus * np.sqrt(radius) * depth**1.5
+    assert exact.hertz_indentation(load, radius, shear_modulus) == pytest.approx(depth, rel=1e-14)
+    assert exact.hertz_indentation(load, radius, shear_modulus, power=2) == pytest.approx(depth**2, rel=1e-14)
+    assert exact.hertz_indentation(float(load[0]), radius, 1e6) == pytest.approx(2e-5, rel=1e-14)
+
+
 @pytest.mark.parametrize("r", [0.0, 0.4, 0.95, 1.2, 3.0])
 def test_uniform_pressure_on_a_disc(r):
     expected = axisymmetric_displacement(lambda s: 1.0, r, 1.0) if r else -2 * np.pi

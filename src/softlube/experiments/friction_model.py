@@ -93,7 +93,7 @@ class Model:
         """(2π/3) G δ², Eqs. (26), (29) [N]."""
         load = (data or self.data).load
         shear_modulus = values["young_modulus"] / 3
-        return 2 * math.pi / 3 * shear_modulus * hertz_indentation(load, self.radius, shear_modulus) ** 2
+        return 2 * math.pi / 3 * shear_modulus * hertz_indentation(load, self.radius, shear_modulus, power=2)
 
     def friction(self, values: dict[str, float], data: Measurements | None = None) -> Array:
         """Friction force [N].  Beyond the ends of the curve it goes on with its last slope, so that a search does not fall

@@ -17,7 +17,7 @@ HERTZ_PRESSURE = 2 / np.pi**2
 """Maximum pressure of the Hertz contact in units of 4πG√(|h₀|/R); Eq. (7a)."""
 
 
-def hertz_indentation(load: Any, radius: Any, shear_modulus: Any) -> Any:
+def hertz_indentation(load: Any, radius: Any, shear_modulus: Any, *, power: float = 1.0) -> Any:
     """Indentation of a dry Hertz contact in SI, δ = (3N/(16G√R))^(2/3), Eq. (29).
 
     Parameters
@@ -28,8 +28,10 @@ def hertz_indentation(load: Any, radius: Any, shear_modulus: Any) -> Any:
         Radius R of the sphere [m].
     shear_modulus : float or ndarray
         G of an incompressible half-space; E*/4 of any other [Pa].
+    power : float
+        Power of δ that is returned: 2 for the unit of friction, (2π/3) G δ².
     """
-    return (3 * load / (16 * shear_modulus * np.sqrt(radius))) ** (2 / 3)
+    return (3 * load / (16 * shear_modulus * np.sqrt(radius))) ** (2 * power / 3)
 
 
 def hertz_pressure(r: ArrayLike, radius: ArrayLike = 1.0) -> Array:
