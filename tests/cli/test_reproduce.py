@@ -33,7 +33,7 @@ def test_one_figure(tmp_path, capsys):
     [
         (["--figure", "4"], "--figure: there is no figure '4'; expected one of 5, 6,"),
         (["--processes", "0"], "--processes: expected a positive number, got 0"),
-        (["--data", "nothing.csv"], "--data: 'nothing.csv' does not exist"),
+        (["--data", "nothing.csv"], "--data: nothing.csv: the file does not exist"),
         (["--figure", "5", "--data", "nothing.csv"], "--data: measured friction goes into figure 13"),
     ],
 )

@@ -1,6 +1,7 @@
 """Squeeze films and starts of sliding in files: all that they know, normalised and in SI."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -53,7 +54,7 @@ def test_a_start_of_sliding_in_si(started, tmp_path):
 
 
 def test_a_normalised_file_becomes_the_one_in_si(fall):
-    normalised = to_dataset(softlube.Squeeze(**{**vars(fall), "setup": None}))
+    normalised = to_dataset(replace(fall, setup=None))
     assert normalised.film.attrs["units"] == "1"
     xr.testing.assert_identical(in_units(normalised, fall.setup, {}), fall.dataset)
 
