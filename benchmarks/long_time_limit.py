@@ -1,4 +1,4 @@
-"""Do starts of sliding end in what `softlube.solve` says of steady sliding?  Makes the tables of docs/squeeze.md.
+"""Do starts of sliding end in what `softlube.solve` says of steady sliding?  Makes the tables of docs/notes/squeeze.md.
 
 OPENBLAS_NUM_THREADS=1 python benchmarks/long_time_limit.py
 """

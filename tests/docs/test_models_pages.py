@@ -42,7 +42,7 @@ def test_layer_from_python():
 
 
 def test_table_of_dry_loads():
-    text = (DOCS / "layers.md").read_text(encoding="utf-8")
+    text = (DOCS / "notes" / "layers.md").read_text(encoding="utf-8")
     row = next(line for line in text.splitlines() if line.startswith("| softlube |"))
     for chi, shown in zip((0.1, 0.2, 1 / 3, 0.5, 0.7, 1.0, 10 / 3), re.findall(r"\d+\.\d+", row), strict=True):
         assert dry_contact_at(LayerKernel(1 / chi), indentation=1.0).load / HERTZ_LOAD == pytest.approx(float(shown), rel=6e-5)

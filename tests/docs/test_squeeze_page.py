@@ -1,4 +1,4 @@
-"""The worked examples of docs/squeeze.md are run, and give what the page says."""
+"""The worked examples of docs/squeeze.md are run, and give what the page says; so does the table of layers of its notes."""
 
 import json
 import re
@@ -14,7 +14,8 @@ from softlube.model.quantities import QUANTITIES
 from softlube.model.substrates import LayerKernel
 from softlube.transient.squeeze.integrate import HISTORIES
 
-PAGE = (Path(__file__).parents[2] / "docs" / "squeeze.md").read_text(encoding="utf-8")
+DOCS = Path(__file__).parents[2] / "docs"
+PAGE = (DOCS / "squeeze.md").read_text(encoding="utf-8")
 
 
 COMMANDS = re.findall(r"```bash\nsoftlube (squeeze .*)\n```\n\n((?:    .*\n)+)((?:\n    Warning.*\n)?)", PAGE)
@@ -48,8 +49,9 @@ def test_python_of_the_page_runs():
 
 
 def test_table_of_layers():
+    notes = (DOCS / "notes" / "squeeze.md").read_text(encoding="utf-8")
     rows = re.findall(
-        r"^\| (?:([\d.]+)|.*?)(, frictionless|, bonded.*?)? \|.*?\| −[\d.]+ \| −([\d.]+) \|", PAGE, flags=re.MULTILINE
+        r"^\| (?:([\d.]+)|.*?)(, frictionless|, bonded.*?)? \|.*?\| −[\d.]+ \| −([\d.]+) \|", notes, flags=re.MULTILINE
     )
     layers = [(float(t), base, float(depth)) for t, base, depth in rows if t]
     assert len(layers) == 6
