@@ -41,7 +41,7 @@ def test_jacobian_against_complex_step(problem):
     n = GRID.n_unknown
     h0 = moved[-1] if problem.load_controlled else problem.height
     pressure = np.concatenate([moved[:n], system.rim_pressure[0] + h0 * system.rim_pressure[1]])
-    substrate = replace(system.substrate, radial_high=system.substrate.radial_high.astype(complex))
+    substrate = replace(system.elastic, radial_high=system.elastic.radial_high.astype(complex))
     film = substrate.deflection(moved[:n]) + system.film_offset[0] + h0 * system.film_offset[1]
     numeric = system.reynolds.residual(pressure, film, system.speed).imag / step
     at = system.linearise(x)
@@ -49,8 +49,8 @@ def test_jacobian_against_complex_step(problem):
     assert at.times(direction)[:n] == pytest.approx(numeric, rel=1e-9, abs=1e-11)
     assert system.film_change(direction) == pytest.approx(film.imag / step, rel=1e-12, abs=1e-12)
     if problem.load_controlled:
-        load = system.substrate.load_weights @ np.concatenate([moved[:n], system.rim_pressure[0] + h0 * system.rim_pressure[1]])
-        load = load + system.speed * (system.substrate.far_load[0] + h0 * system.substrate.far_load[1])
+        load = system.elastic.load_weights @ np.concatenate([moved[:n], system.rim_pressure[0] + h0 * system.rim_pressure[1]])
+        load = load + system.speed * (system.elastic.far_load[0] + h0 * system.elastic.far_load[1])
         assert at.residual[-1] == pytest.approx(load.real - HERTZ_LOAD, abs=1e-14)
         assert at.times(direction)[-1] == pytest.approx(load.imag / step, rel=1e-12)
 

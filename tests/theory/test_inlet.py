@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from softlube.theory.inlet import FRONT, INLET, OUTLET, inlet, outlet
+from softlube.theory.inlet import FRONT, INLET_MESH, OUTLET_MESH, inlet, outlet
 
 # --- convergence: step, reach and length scale of the mesh, one at a time -----------------------------------------------------
 
@@ -19,7 +19,7 @@ def changed(mesh, what):
 
 @pytest.mark.parametrize("what", OTHER_MESHES)
 def test_inlet_does_not_depend_on_the_mesh(what):
-    other = inlet(changed(INLET, what))
+    other = inlet(changed(INLET_MESH, what))
     assert other.film_inside == pytest.approx(inlet().film_inside, rel=5e-12)
     assert other.gradient_max == pytest.approx(inlet().gradient_max, rel=5e-8)
     assert other.film_at(0.0) == pytest.approx(inlet().film_at(0.0), rel=5e-9)
@@ -27,7 +27,7 @@ def test_inlet_does_not_depend_on_the_mesh(what):
 
 @pytest.mark.parametrize("what", OTHER_MESHES)
 def test_full_outlet_does_not_depend_on_the_mesh(what):
-    assert outlet("none", mesh=changed(OUTLET, what)).film_min == pytest.approx(outlet("none").film_min, rel=1e-9)
+    assert outlet("none", mesh=changed(OUTLET_MESH, what)).film_min == pytest.approx(outlet("none").film_min, rel=1e-9)
 
 
 @pytest.mark.parametrize("what", OTHER_MESHES)
@@ -122,4 +122,4 @@ def test_unknown_condition():
 
 def test_a_hopeless_mesh_is_refused():
     with pytest.raises(RuntimeError, match="did not converge"):
-        inlet(replace(INLET, step=1.5))
+        inlet(replace(INLET_MESH, step=1.5))

@@ -1,8 +1,9 @@
-"""The elastic half-space: from pressure to surface displacement, Eqs. (2) and (6b).
+"""Elasticity of the substrate: from pressure to surface displacement, Eqs. (2) and (6b).
 
 In polar coordinates the kernel depends on θ − θ′ only, so each harmonic p_m(r) cos mθ of the pressure displaces the surface by
-one of the same order, w_m(r) = −∫ k_m(r, r′) p_m(r′) r′ dr′.  On a half-space k_m is a ring's potential (`potentials.py`),
-singular like ln|r − r′|; other substrates add a smooth remainder.  `radial.py` takes the integrals.
+one of the same order, w_m(r) = −∫ k_m(r, r′) p_m(r′) r′ dr′.  On a half-space k_m is a ring's potential, singular like
+ln|r − r′| (`softlube.discretization.potentials`); other substrates add a smooth remainder.  The integrals are taken in
+`softlube.discretization.radial`.
 """
 
 from __future__ import annotations
@@ -23,13 +24,15 @@ from softlube.model.substrates import Remainder
 Array = NDArray[np.floating]
 
 BEYOND_NYQUIST = 1.15
-"""Harmonics over those that the narrowest intervals could tell apart; from 1.0 on a few more change films by 10⁻⁵ at most."""
+"""Number of harmonics over π divided by the smallest angular interval, the highest harmonic that this interval resolves.
+
+At β = 10⁸ 1.3 and 1.6 change quantities by 10⁻⁵ at most, 1.0 by 2·10⁻⁵ (docs/notes/numerical-method.md)."""
 FINE_ANGLES = 4000
-"""Points on the half-circle from which the far field's harmonics are taken."""
+"""Points on the half-circle for the cosine coefficients of the far field's profile, whose second derivative jumps."""
 
 
 def angular_transform(grid: PolarGrid) -> tuple[Array, Array]:
-    """Between nodal values in θ and cosine coefficients.
+    """Matrices between nodal values in θ and cosine coefficients.
 
     The nodal values define a trigonometric polynomial in the uniform coordinate s; its coefficients in cos mθ are computed by
     the trapezoidal rule, which converges geometrically here.
@@ -64,8 +67,8 @@ class ElasticOperator:
     radial : ndarray, shape (n_low, N, N)
         Ring operators of the low harmonics, see `radial_operators`; N radii with the rim.
     radial_high : ndarray of float32, shape (n_modes − n_low, N, N)
-        Those of the others.  They are most of the work, and so small a part of the displacement that single precision changes
-        films by 10⁻⁹.
+        Ring operators of the other harmonics.  They are most of the work, and so small a part of the displacement that single
+        precision changes films by 10⁻⁹.
     synthesis, analysis : ndarray
         From harmonics to nodal values in θ and back, see `angular_transform`.
     load_weights : ndarray, shape (n,)
@@ -107,7 +110,7 @@ class ElasticOperator:
         return (self.synthesis @ np.concatenate([low, high])[:, :, 0]).T.ravel()
 
     def ring_coupling(self, target: int, sources: slice) -> Array:
-        """Deflection of one ring under pressures on some others, shape (number of sources, n_angles, n_angles)."""
+        """Matrices from the pressures on some rings to the deflection of one, shape (number of sources, n_angles, n_angles)."""
         radial = np.concatenate([each[:, target, sources] for each in (self.radial, self.radial_high)])
         return np.matmul(self.synthesis * radial.T[:, None, :], self.analysis)
 

@@ -1,4 +1,4 @@
-"""Pressure and film as smooth functions of position: what a discretisation hands to everything that reads a solution."""
+"""Pressure and film as smooth functions of position: all that a read-out, a picture or a file knows of a discretisation."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ from softlube.model.problem import Cavitation
 Array = NDArray[np.floating]
 
 SHARP = 0.3
-"""Change of ln η from a node to the next along r, in the outlet half, up to which the pressure is smooth on the grid
-(measured)."""
+"""Change of ln η from a node to the next along r, in the outlet half, up to which the pressure counts as smooth on the grid.
+
+Beyond it a cubic interpolant overshoots between the flanks of a spike (docs/notes/viscosity.md; measured with
+benchmarks/spike_sphere.py)."""
 
 
 class Chart(Protocol):
@@ -113,7 +115,7 @@ class Fields:
 
     @cached_property
     def reduced_spline(self) -> RectBivariateSpline:
-        """Reduced pressure q = ∫ η₀/η dp (ξ, s), whose gradient drives the flow and which knows nothing of spikes."""
+        """Reduced pressure q = ∫ η₀/η dp (ξ, s): its gradient drives the flow, and it is smooth at a spike of p̄."""
         reduced = self.liquid.reduced_pressure(self.pressure)
         return self.pressure_spline if reduced is self.pressure else self._spline(reduced)
 

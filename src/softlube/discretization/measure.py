@@ -1,4 +1,4 @@
-"""Numbers read off a solution: loads, films, gradients, friction; Eqs. (20)-(22), (25)-(27).
+"""Quantities of a solution: loads, films, gradients, friction; Eqs. (20)-(22), (25)-(27).
 
 Everything is normalised like the fields: with |h₀| as in the paper, or with the Hertz indentation of the load.  Extrema are
 found between the nodes, and integrals are exact for the interpolated fields up to quadrature of high order.
@@ -22,12 +22,15 @@ CONTACT = 1.0
 DOMAIN = 2.0
 """Cut-off radius of `friction_domain`: the paper's whole computational domain, where Eq. (28) comes from."""
 
-INLET, OUTLET = np.array([0.0]), np.array([np.pi])
-"""The two halves of the x axis, as coordinates s."""
+INLET_AXIS, OUTLET_AXIS = np.array([0.0]), np.array([np.pi])
+"""Coordinate s of the two halves of the x axis: s = θ = 0 upstream, where the liquid enters, and π downstream."""
 
 
 def _zoom(f: Callable[[Array], Array], low: float, high: float, rounds: int = 5) -> tuple[float, float]:
-    """Place and value of the minimum of f on [low, high] (f takes an increasing array), by repeated finer sampling."""
+    """Place and value of the minimum of f on [low, high], by sampling that is made finer around the least value found.
+
+    f takes an increasing array and returns one of its shape.
+    """
     best = low, np.inf
     for _ in range(rounds):
         x = np.linspace(low, high, 65)
@@ -39,7 +42,10 @@ def _zoom(f: Callable[[Array], Array], low: float, high: float, rounds: int = 5)
 
 
 def _zoom_plane(f: Callable[[Array, Array], Array], xi: Array, s: Array, rounds: int = 4) -> tuple[float, float, float]:
-    """Place (ξ, s) and value of the minimum of f over the product of two ranges, first sampled as given."""
+    """Place (ξ, s) and value of the minimum of f over a rectangle, by sampling that is made finer around the least value found.
+
+    The first samples are the product of the given `xi` and `s`; f takes two such arrays and returns their product's shape.
+    """
     best = float(xi[0]), float(s[0]), np.inf
     for _ in range(rounds):
         values = f(xi, s)
@@ -103,12 +109,15 @@ def friction_within(fields: Fields, cutoff: float) -> float:
 
 
 def poiseuille_within(fields: Fields, cutoff: float) -> float:
-    """Part of `friction_within` that the pressure gradient makes."""
+    """Poiseuille part of the friction force on the sphere over r ≤ cutoff, ∫ 3 ū ∂p̄/∂x dA; see `friction_within`."""
     return integrate(fields, lambda xi, s: 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0], cutoff)
 
 
 def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
-    """Larger of the shear rates on the two walls, Eq. (25) with its transverse component, in units of v/|h₀|."""
+    """Larger of the shear rates on the two walls, Eq. (25) with its transverse component, in units of v/|h₀|.
+
+    The gradient is that of the reduced pressure q, since φ∇p = ∇q; shape (xi.size, s.size).
+    """
     film = fields.film_spline(xi, s)
     q_x, q_y = fields.gradient_on(xi, s, fields.reduced_spline)
     poiseuille = 3 * fields.beta * film
@@ -116,12 +125,12 @@ def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
 
 
 def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
-    """All quantities of `softlube.model.quantities.STEADY`, dimensionless; see there for what each of them means.
+    """Every quantity of `softlube.model.quantities.STEADY` by its name, normalised like the fields.
 
     Parameters
     ----------
     fields : Fields
-        What they are read off.
+        Pressure and film of a solution.
     edge : float
         Radius of the dry contact, from which the boundary layer is counted.
     """
@@ -158,9 +167,9 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         return _zoom(f, x[max(i - 1, 0)], x[min(i + 1, x.size - 1)])
 
     def inlet_slope(x: Array) -> Array:
-        return -np.abs(fields.pressure_spline(x, INLET, dx=1)[:, 0]) / chart.dr_dxi(chart.r_of(x))
+        return -np.abs(fields.pressure_spline(x, INLET_AXIS, dx=1)[:, 0]) / chart.dr_dxi(chart.r_of(x))
 
-    outlet_min = on_axis(np.pi, lambda x: fields.film_spline(x, OUTLET)[:, 0], inside)[1]
+    outlet_min = on_axis(np.pi, lambda x: fields.film_spline(x, OUTLET_AXIS)[:, 0], inside)[1]
     slope = on_axis(0.0, inlet_slope, everywhere)[1]
     return {
         "load": fields.load,
@@ -187,7 +196,7 @@ def boundary_layer(fields: Fields, pressure_max: float, edge: float = 1.0) -> fl
     xi_nodes = fields.chart.xi_of(fields.r)
     xi = _fine(xi_nodes, 0.0, float(xi_nodes[-1]), 2)
     for _ in range(6):
-        above = fields.pressure_spline(xi, INLET)[:, 0] >= BOUNDARY_LAYER_LEVEL * pressure_max
+        above = fields.pressure_spline(xi, INLET_AXIS)[:, 0] >= BOUNDARY_LAYER_LEVEL * pressure_max
         last = int(np.flatnonzero(above)[-1]) if above.any() else xi.size - 1
         if last == xi.size - 1:
             return float("nan")

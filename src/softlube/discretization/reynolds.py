@@ -29,7 +29,9 @@ CONSTANT = NewtonianLaw()
 # Staggered formulas of fourth order: value and derivative half-way between nodes, offsets from the face −2, −1, 0, 1.
 MIDPOINT = {-2: -1 / 16, -1: 9 / 16, 0: 9 / 16, 1: -1 / 16}
 UPSTREAM = {-2: 1 / 16, -1: -3 / 16, 0: 3 / 16, 1: -1 / 16}
-"""What makes `MIDPOINT` the quadratic through two nodes upstream, at higher index, and one downstream; of third order."""
+"""Added to `MIDPOINT`, it gives the value of the quadratic through two nodes upstream (at higher index) and one downstream.
+
+Third order, upwind-biased, as in the QUICK scheme (Leonard 1979)."""
 SLOPE = {-2: 1 / 24, -1: -27 / 24, 0: 27 / 24, 1: -1 / 24}
 
 
@@ -39,14 +41,14 @@ def _kron(left: Array, right: Array) -> Sparse:
 
 
 def scaled_rows(matrix: Sparse, factor: Array) -> Sparse:
-    """The rows of a sparse matrix times a factor each."""
+    """A sparse matrix with each row multiplied by a factor: diag(factor) @ matrix."""
     return sparse.csr_array(
         (matrix.data * np.repeat(factor, np.diff(matrix.indptr)), matrix.indices, matrix.indptr), matrix.shape
     )
 
 
 def scaled_columns(matrix: Sparse, factor: Array) -> Sparse:
-    """The columns of a sparse matrix times a factor each."""
+    """A sparse matrix with each column multiplied by a factor: matrix @ diag(factor)."""
     return sparse.csr_array((matrix.data * factor[matrix.indices], matrix.indices, matrix.indptr), matrix.shape)
 
 
@@ -87,7 +89,7 @@ class ReynoldsOperator:
     slope, midpoint : tuple of sparse matrices
         Difference of the pressure and value of the film on the radial and the angular faces.
     upstream : tuple of sparse matrices
-        What takes the midpoint to the upstream side.
+        Added to `midpoint`, they give the upwind-biased value.
     divergence : tuple of sparse matrices
         From the fluxes on radial and angular faces to the balance of each cell.
     conductance, drag : tuple of ndarray
@@ -172,8 +174,8 @@ class ReynoldsOperator:
         magnitude from one to the next, and lets the solution hang on which node is highest; a difference of q is bounded.
 
         Where the fluidity goes to zero nothing but ∂(ρu)/∂x is left of the equation, and a central formula does not see a film
-        that alternates from node to node.  So what is carried along is taken from upstream there, with the weight 1 − φ: not
-        at all for constant viscosity.
+        that alternates from node to node.  So the transported ρu is upwind-biased there, with the weight 1 − φ: not at
+        all for constant viscosity.
         """
         balance = 0.0
         for face in self._faces(pressure, film, liquid):
@@ -208,7 +210,7 @@ class ReynoldsOperator:
         return Sparse(by_pressure + scaled_columns(by_density, stiffness)), by_film
 
     def _faces(self, pressure: Array, film: Array, liquid: Liquid) -> Iterator[_Faces]:
-        """What both need on the radial faces, then on the angular ones."""
+        """What `residual` and `derivatives` need on the radial faces, then on the angular ones."""
         parts = (self.slope, self.midpoint, self.upstream, self.divergence, self.conductance, self.drag)
         reduced, fluidity = liquid.reduced_pressure(pressure), liquid.fluidity(pressure)[0]
         density = liquid.density(pressure)[0]

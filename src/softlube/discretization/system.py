@@ -1,4 +1,4 @@
-"""The coupled equations of one problem on one grid: what Newton's method is given.
+"""The coupled equations of one problem on one grid, as Newton's method takes them.
 
 Unknowns are the pressures at the cell centres and, under load control, the height h₀ of the sphere.  The film follows from them
 by (6b) and (6c), so the Jacobian of the Reynolds residual R(p, u) is ∂R/∂p + ∂R/∂u · ∂u/∂p, exact; it is applied, never formed.
@@ -26,12 +26,12 @@ Array = NDArray[np.floating]
 Mask = NDArray[np.bool_]
 
 FILM_KEPT = 0.5
-"""A step may lower the film to this fraction of itself at most, anywhere."""
+"""Safety factor of a Newton step: nowhere does the film fall below this fraction of its value before the step."""
 LARGEST_THINNING = 3.0
 """A step may lower ln η by this much at most, anywhere.  Newton's method takes q for linear in the pressure, and where the
 fluidity is 10⁻¹⁰ that says that nothing flows however far the pressure falls."""
 LEAST_LIFT, LIFTS = 0.25, 20
-"""What the first guess leaves of the film that it is meant to have, anywhere, and attempts at it."""
+"""Least film of the first guess over the film at its centre, and largest number of attempts to reach it."""
 
 
 @lru_cache(maxsize=8)
@@ -68,22 +68,22 @@ class ContactSystem:
         self.speed = 1 / self.beta
         self.prescribed = HERTZ_LOAD * scale**-1.5 if problem.load_controlled else problem.height / scale
         # Lengths scale with the root of the unit, and so do pressures.
-        self.material, self.liquid = problem.substrate.in_units(scale), problem.liquid.in_units(scale)
-        self.substrate, self.reynolds, self.stiffness = _operators(grid, problem.cavitation, self.material)
+        self.substrate, self.liquid = problem.substrate.in_units(scale), problem.liquid.in_units(scale)
+        self.elastic, self.reynolds, self.stiffness = _operators(grid, problem.cavitation, self.substrate)
         self.self_deflection = 1 / np.abs(self.stiffness.diagonal())
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.constrained = np.zeros(n + load_controlled, dtype=bool)
         self.constrained[:n] = problem.cavitation == "reynolds"
         # The far field, and with it the film, is linear in h₀: value = [0] + h₀ [1].
         rim = rim_slice(grid)
-        far = self.speed * self.substrate.far_pressure[:, rim]
+        far = self.speed * self.elastic.far_pressure[:, rim]
         self.rim_pressure = far
-        self.film_offset = self.speed * self.substrate.far_displacement
+        self.film_offset = self.speed * self.elastic.far_displacement
         for part in (0, 1):
-            self.film_offset[part] += self.substrate.deflection(np.concatenate([np.zeros(n), far[part]]))
+            self.film_offset[part] += self.elastic.deflection(np.concatenate([np.zeros(n), far[part]]))
         self.film_offset[0] += np.repeat(grid.r**2 / 2, grid.shape[1])
         self.film_offset[1] += 1
-        self.load_offset = self.speed * self.substrate.far_load + far @ self.substrate.load_weights[rim]
+        self.load_offset = self.speed * self.elastic.far_load + far @ self.elastic.load_weights[rim]
 
     def height(self, x: Array) -> float:
         """Height h₀ of the sphere's lowest point."""
@@ -95,17 +95,17 @@ class ContactSystem:
 
     def film(self, x: Array) -> Array:
         """Film thickness on all nodes, Eq. (6c), shape (n,)."""
-        return self.substrate.deflection(x[: self.grid.n_unknown]) + self.film_offset[0] + self.height(x) * self.film_offset[1]
+        return self.elastic.deflection(x[: self.grid.n_unknown]) + self.film_offset[0] + self.height(x) * self.film_offset[1]
 
     def film_change(self, step: Array) -> Array:
         """Change of the film on all nodes by a change of the unknowns."""
-        change = self.substrate.deflection(step[: self.grid.n_unknown])
+        change = self.elastic.deflection(step[: self.grid.n_unknown])
         return change + step[-1] * self.film_offset[1] if self.problem.load_controlled else change
 
     def load(self, x: Array) -> float:
         """Load ∫p dA over the whole plane."""
         n = self.grid.n_unknown
-        return float(self.substrate.load_weights[:n] @ x[:n] + self.load_offset[0] + self.height(x) * self.load_offset[1])
+        return float(self.elastic.load_weights[:n] @ x[:n] + self.load_offset[0] + self.height(x) * self.load_offset[1])
 
     def fields(self, x: Array) -> Fields:
         """Pressure and film in the problem's own unit of height."""
@@ -139,12 +139,12 @@ class ContactSystem:
         Notes
         -----
         Dry contacts of radii spread over the boundary layer, under which the film is positive everywhere.  The superposition
-        is smooth at the scale β^(−2/5) of the layer, and so much deeper that the film at the centre is β^(−3/5), as in the
-        Hertz limit; or deeper, until the film is positive on this grid (the displacement of a thin layer is a small difference
-        of large ones).  Far outside the far field is added, so that the free boundary starts where it ends.  High over the
+        is smooth at the scale β^(−2/5) of the boundary layer, and so much deeper that the film at the centre is β^(−3/5), as in
+        the Hertz limit; or deeper, until the film is positive on this grid (the displacement of a thin substrate is a small
+        difference of large ones).  Far outside the far field is added, so that the free boundary starts where it ends.  High over the
         surface, h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
         """
-        height = -dry_contact(self.material).indentation if height is None else height
+        height = -dry_contact(self.substrate).indentation if height is None else height
         if not self.problem.load_controlled:
             height = self.prescribed
         r = self.grid.r[: self.grid.n_r, None]
@@ -152,14 +152,14 @@ class ContactSystem:
         if height > 1:
             pressure = kapitza_pressure(r, 0.0, self.beta, height) * profile / 0.8
         else:
-            dry = dry_contact(self.material)
+            dry = dry_contact(self.substrate)
             beta = max(dry.like_hertz(self.beta), 1.0)
-            layer = min(0.5, 1.5 * beta**-0.4)
+            width = min(0.5, 1.5 * beta**-0.4)  # of the boundary layer
             lift = wanted = dry.edge * beta**-0.6
             outside = self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
             pressure = outside
             for _ in range(LIFTS):
-                pressure = smeared_contact(self.material, dry.indentation + lift, layer)(r) + outside
+                pressure = smeared_contact(self.substrate, dry.indentation + lift, width)(r) + outside
                 lowest = float(np.min(self.film(self._unknowns(pressure, height))))
                 if lowest > LEAST_LIFT * wanted:
                     break
@@ -196,7 +196,7 @@ class LinearisedContact:
 
     @cached_property
     def _within(self) -> tuple[Sparse, Sparse]:
-        """The derivatives by what happens on the unknown nodes."""
+        """Derivatives of the residual by pressure and film on the unknown nodes, each (unknown nodes, unknown nodes)."""
         n = self.system.grid.n_unknown
         by_pressure, by_film = self._derivatives
         return Sparse(by_pressure[:, :n]), Sparse(by_film[:, :n])
@@ -214,7 +214,7 @@ class LinearisedContact:
     def times(self, step: Array) -> Array:
         """Jacobian times a vector."""
         system, n = self.system, self.system.grid.n_unknown
-        result = self._within[0] @ step[:n] + self._derivatives[1] @ system.substrate.deflection(step[:n])
+        result = self._within[0] @ step[:n] + self._derivatives[1] @ system.elastic.deflection(step[:n])
         if not system.problem.load_controlled:
             return result
         return np.append(
@@ -229,7 +229,7 @@ class LinearisedContact:
 
     @property
     def _load_by_pressure(self) -> Array:
-        return self.system.substrate.load_weights[: self.system.grid.n_unknown]
+        return self.system.elastic.load_weights[: self.system.grid.n_unknown]
 
     def equation(self, free: Mask) -> FilmEquation:
         """Newton's equation on the free unknowns."""

@@ -2,7 +2,8 @@
 
     plan (TOML, CSV or Python) ─► cases ─► problems, each once ─► workers ─► store ─► table, NetCDF
 
-The name is plural because `softlube.sweep` is the function.
+Depends on: everything but `cli`.  Another kind of case is a module like `steady`, and a line in `plan.MOTIONS`.  The name is
+plural because `softlube.sweep` is the function.
 """
 
 from softlube.sweeps.plan import Plan, read_plan

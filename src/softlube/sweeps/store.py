@@ -135,7 +135,7 @@ class Store:
     # --- outcomes ---------------------------------------------------------------------------------------------------
 
     def outcomes(self, keys: Iterable[str], *, fields: bool = False) -> dict[str, Outcome]:
-        """Those of the keys that have an outcome, with the fields' bytes if asked for."""
+        """Outcomes of the keys that have one, with the bytes of their fields if asked for."""
         found: dict[str, Outcome] = {}
         for key in keys:
             row = self._connection.execute(

@@ -1,4 +1,7 @@
-"""What a sweep's plan, store, runner and executors know of the cases; `steady` and `approach` are the rooms that have them."""
+"""Protocols of a sweep's cases and tasks: all that plan, store, runner and executors know of them.
+
+`softlube.sweeps.steady` has cases of steady sliding, `softlube.sweeps.approach` squeeze films and starts of sliding.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from pathlib import Path
 from typing import Any, ClassVar, Protocol
 
 Value = float | str
-"""Of a parameter: in SI, or a text."""
+"""Value of a parameter: a number in SI, or a text."""
 
 
 @dataclass(frozen=True)

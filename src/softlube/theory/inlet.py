@@ -58,8 +58,8 @@ class Mesh:
         return np.arange(-round(self.outer / self.step), round(self.inner / self.step) + 1) * self.step
 
 
-INLET = Mesh(step=0.12, outer=14.0, inner=40.0, length=0.3)
-OUTLET = Mesh(step=0.1, outer=14.0, inner=40.0, length=0.1, centre=-0.14)
+INLET_MESH = Mesh(step=0.12, outer=14.0, inner=40.0, length=0.3)
+OUTLET_MESH = Mesh(step=0.1, outer=14.0, inner=40.0, length=0.1, centre=-0.14)
 FRONT = Mesh(step=0.1, outer=34.0, inner=40.0, length=0.1)
 """Meshes of the inlet, the outlet full of liquid and the outlet with a free boundary; errors in docs/asymptotics.md."""
 
@@ -301,7 +301,7 @@ def _whole_line(mesh: Mesh, points: Array) -> SincLine:
 
 
 @cache
-def inlet(mesh: Mesh = INLET) -> Similarity:
+def inlet(mesh: Mesh = INLET_MESH) -> Similarity:
     """The inlet: the one film u∞ that is drawn in, and how it gets there.
 
     A square collocation system has here, and only here, a spurious solution that alternates from node to node (its symbol winds
@@ -346,7 +346,7 @@ def outlet(cavitation: str = "reynolds", film_inside: float | None = None, mesh:
     if film_inside is None:
         film_inside = inlet().film_inside
     if cavitation == "none":
-        mesh = mesh or OUTLET
+        mesh = mesh or OUTLET_MESH
         line = _whole_line(mesh, mesh.t)
         return _solve(mesh.t, line, -1, smooth_edge(line.s, 0.3), None, film_inside)
     mesh = mesh or FRONT

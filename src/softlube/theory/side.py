@@ -25,7 +25,7 @@ from scipy.interpolate import CubicSpline
 
 from softlube.discretization.reynolds import SLOPE
 from softlube.solvers.newton import DenseEquation, newton
-from softlube.theory.inlet import INLET, Part, inlet, sinc_line, smooth_edge
+from softlube.theory.inlet import INLET_MESH, Part, inlet, sinc_line, smooth_edge
 
 Array = NDArray[np.floating]
 
@@ -160,7 +160,7 @@ class Strip:
         The film is prescribed inside and the pressure outside; the elastic equation gives the pressure inside.
         """
         edge, width = inlet(), start**0.4
-        at = np.clip(np.arcsinh(self.s / width / INLET.length), edge.t[0], edge.t[-1])
+        at = np.clip(np.arcsinh(self.s / width / INLET_MESH.length), edge.t[0], edge.t[-1])
         inside = self.s >= 0
         film = np.where(at < 20, CubicSpline(edge.t, edge.film)(at), edge.film_inside) * width**1.5
         film += edge.film_inside * (np.abs(2 * self.s + start**2) ** 0.3 - start**0.6)

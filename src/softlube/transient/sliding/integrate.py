@@ -94,10 +94,10 @@ def at_instant(system: ContactSystem, prescribed: float, speed: float, height: f
     other = copy(system)
     other.prescribed = prescribed
     other.rim_pressure = system.rim_pressure + np.outer([1, 0], taylor)
-    deflection = system.substrate.deflection(np.concatenate([np.zeros(grid.n_unknown), taylor]))
+    deflection = system.elastic.deflection(np.concatenate([np.zeros(grid.n_unknown), taylor]))
     other.film_offset = system.film_offset + np.outer([1, 0], deflection)
     beyond = np.pi * speed / (2 * (height + grid.r[-1] ** 2 / 2))
-    other.load_offset = system.load_offset + np.array([1, 0]) * (taylor @ system.substrate.load_weights[rim] + beyond)
+    other.load_offset = system.load_offset + np.array([1, 0]) * (taylor @ system.elastic.load_weights[rim] + beyond)
     return other
 
 
