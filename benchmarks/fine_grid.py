@@ -35,7 +35,7 @@ def reference(problem: Problem, n_theta: int = 48) -> dict[str, float]:
     regime, solved = Regime.of(problem), None
     for n in (18, 30, n_theta):
         own = grid_for(regime, n)
-        grid = replace(own, layer=own.layer * 0.7, side_layer=own.side_layer * 0.8, reach=own.reach * 1.3)
+        grid = replace(own, edge_width=own.edge_width * 0.7, side_width=own.side_width * 0.8, reach=own.reach * 1.3)
         grid = grid.resized(
             int(np.ceil(grid.xi_of(grid.reach * grid.edge) * own.n_r / own.xi_of(own.reach * own.edge) * 1.2)), n
         )

@@ -16,7 +16,7 @@ def test_coordinates_are_radius_and_angle():
     assert chart.scaled(3.0) == chart
 
 
-@pytest.mark.parametrize("chart", [PolarChart(), PolarGrid(30, 12, layer=0.1, side_layer=0.2)])
+@pytest.mark.parametrize("chart", [PolarChart(), PolarGrid(30, 12, edge_width=0.1, side_width=0.2)])
 def test_derivatives_are_those_of_the_maps(chart):
     """What every chart promises: `dr_dxi` and `dtheta_ds` against central differences."""
     r, theta, d = np.array([0.2, 0.9, 1.7]), np.array([0.3, 1.5, 2.9]), 1e-6

@@ -10,9 +10,9 @@ from softlube.discretization.grid import PolarGrid
 from softlube.model.exact import far_field_profile
 
 
-def gaussian_error(n_r, n_theta, offset, side_layer=0.5):
+def gaussian_error(n_r, n_theta, offset, side_width=0.5):
     """Largest error of the displacement under exp(−|x − a|²), whose displacement is −π^{3/2} e^{−ρ²/2} I₀(ρ²/2)."""
-    grid = PolarGrid(n_r, n_theta, layer=0.3, side_layer=side_layer)
+    grid = PolarGrid(n_r, n_theta, edge_width=0.3, side_width=side_width)
     x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
     square = (x - offset) ** 2 + y**2
     exact = -(np.pi**1.5) * ive(0, square / 2)
@@ -29,7 +29,7 @@ def test_displacement_under_a_gaussian_converges_at_high_order_in_r():
 
 
 def test_displacement_off_centre_converges_geometrically_in_theta():
-    errors = [gaussian_error(120, k, 0.7, side_layer=0.2)[0] for k in (6, 9, 12)]
+    errors = [gaussian_error(120, k, 0.7, side_width=0.2)[0] for k in (6, 9, 12)]
     assert errors[0] > 20 * errors[1] > 400 * errors[2]
     assert errors[2] < 1e-6
 
@@ -42,7 +42,7 @@ def test_load_weights_integrate_a_gaussian():
 
 def test_reciprocity():
     # Work of one pressure on the other's displacement: ∫ p₁ w₂ dA = ∫ p₂ w₁ dA.
-    grid = PolarGrid(80, 20, layer=0.3)
+    grid = PolarGrid(80, 20, edge_width=0.3)
     x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
     first, second = np.exp(-((x - 0.4) ** 2) - y**2).ravel(), np.exp(-2 * (x + 0.5) ** 2 - y**2).ravel()
     operator = elastic_operator(grid, "none")
@@ -74,9 +74,9 @@ def test_rings_that_are_left_out_carry_no_pressure():
     assert operator.deflection(pressure[:7].ravel()) == pytest.approx(operator.deflection(pressure.ravel()), rel=1e-13)
 
 
-@pytest.mark.parametrize("side_layer", [100.0, 0.5, 0.1])
-def test_angular_transform_is_exact_for_low_harmonics(side_layer):
-    grid = PolarGrid(10, 32, side_layer=side_layer)
+@pytest.mark.parametrize("side_width", [100.0, 0.5, 0.1])
+def test_angular_transform_is_exact_for_low_harmonics(side_width):
+    grid = PolarGrid(10, 32, side_width=side_width)
     synthesis, analysis = angular_transform(grid)
     for m in range(4):
         expected = np.zeros(analysis.shape[0])

@@ -10,7 +10,7 @@ from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.model.liquids.barus import BarusLaw
 
-GRID = PolarGrid(60, 24, layer=0.3)
+GRID = PolarGrid(60, 24, edge_width=0.3)
 
 
 X = GRID.r[:, None] * np.cos(GRID.theta)

@@ -8,9 +8,9 @@ from softlube.discretization.grid import PolarGrid
 
 GRIDS = [
     PolarGrid(20, 10),
-    PolarGrid(60, 24, layer=0.005, side_layer=0.01),
-    PolarGrid(30, 12, side_layer=1.0, edge=1.7),
-    PolarGrid(80, 12, layer=0.02, crest=0.9),
+    PolarGrid(60, 24, edge_width=0.005, side_width=0.01),
+    PolarGrid(30, 12, side_width=1.0, edge=1.7),
+    PolarGrid(80, 12, edge_width=0.02, crest=0.9),
     PolarGrid(80, 12, crest=0.1, edge=1.7),
 ]
 
@@ -40,11 +40,11 @@ def test_angular_map_and_inverse(grid):
 @pytest.mark.parametrize("grid", GRIDS)
 def test_angular_map_is_the_integral_of_its_density(grid):
     def density(theta):
-        return 1 + grid.crowding / np.hypot(grid.side_layer, np.cos(theta))
+        return 1 + grid.side_clustering / np.hypot(grid.side_width, np.cos(theta))
 
-    whole = 2 * quad(density, 0, np.pi / 2, points=[np.pi / 2 - grid.side_layer], epsrel=1e-12)[0]
+    whole = 2 * quad(density, 0, np.pi / 2, points=[np.pi / 2 - grid.side_width], epsrel=1e-12)[0]
     for theta in (0.4, 1.5, 1.6, 2.9):
-        points = [p for p in (np.pi / 2 - grid.side_layer, np.pi / 2, np.pi / 2 + grid.side_layer) if 0 < p < theta]
+        points = [p for p in (np.pi / 2 - grid.side_width, np.pi / 2, np.pi / 2 + grid.side_width) if 0 < p < theta]
         part = quad(density, 0, theta, points=points or None, epsrel=1e-12)[0]
         assert grid.s_of(theta) == pytest.approx(np.pi * part / whole, rel=1e-10)
         assert grid.dtheta_ds(grid.s_of(theta)) == pytest.approx(whole / np.pi / density(theta), rel=1e-10)
@@ -52,7 +52,7 @@ def test_angular_map_is_the_integral_of_its_density(grid):
 
 def test_the_sides_have_the_finest_angles_at_a_logarithmic_price():
     for layer in (0.1, 0.001, 1e-5):
-        grid = PolarGrid(20, 96, side_layer=layer)
+        grid = PolarGrid(20, 96, side_width=layer)
         interval = np.diff(grid.theta)
         # The measure of the quarter circle is π/2 + ½ ln(4/w) for a narrow layer: 48 intervals on each side share it.
         assert interval.min() == pytest.approx((np.pi / 2 + np.log(4 / layer) / 2) / 48 / (1 + 0.5 / layer), rel=0.3)
@@ -61,21 +61,22 @@ def test_the_sides_have_the_finest_angles_at_a_logarithmic_price():
 
 
 def test_a_crest_has_fine_cells():
-    width = np.diff(PolarGrid(90, 24, layer=0.25, crest=0.6).r_face)
-    r = PolarGrid(90, 24, layer=0.25, crest=0.6).r[:-1]
+    width = np.diff(PolarGrid(90, 24, edge_width=0.25, crest=0.6).r_face)
+    r = PolarGrid(90, 24, edge_width=0.25, crest=0.6).r[:-1]
     assert width[np.argmin(np.abs(r - 0.6))] < width[np.argmin(np.abs(r - 0.3))] / 3
     assert width[np.argmin(np.abs(r - 0.6))] < width[np.argmin(np.abs(r - 1.0))] / 1.5
 
 
 def test_edge_has_the_finest_cells_and_scales():
-    grid = PolarGrid(60, 24, layer=0.02)
+    grid = PolarGrid(60, 24, edge_width=0.02)
     width = np.diff(grid.r_face)
     assert abs(grid.r_face[np.argmin(width)] - 1) < 0.02
     assert grid.scaled(3.0).r == pytest.approx(3 * grid.r, rel=1e-14)
 
 
 @pytest.mark.parametrize(
-    "bad", [{"n_r": 3}, {"n_theta": 2}, {"layer": 0.0}, {"side_layer": 0.0}, {"reach": 0.5}, {"edge": -1.0}, {"crest": -0.1}]
+    "bad",
+    [{"n_r": 3}, {"n_theta": 2}, {"edge_width": 0.0}, {"side_width": 0.0}, {"reach": 0.5}, {"edge": -1.0}, {"crest": -0.1}],
 )
 def test_impossible_grids_are_refused(bad):
     with pytest.raises(ValueError, match="polar grid needs"):

@@ -11,7 +11,7 @@ from softlube.discretization.grid import PolarGrid
 from softlube.model.exact import HERTZ_LOAD, hertz_pressure
 from softlube.model.liquids import BarusLaw
 
-GRID = PolarGrid(60, 24, layer=0.3)
+GRID = PolarGrid(60, 24, edge_width=0.3)
 X = GRID.r[:, None] * np.cos(GRID.theta)
 Y = GRID.r[:, None] * np.sin(GRID.theta)
 
@@ -129,7 +129,7 @@ def test_load_of_a_disc():
 
 
 def test_hertz_load_within_the_contact():
-    grid = PolarGrid(200, 12, layer=0.01)
+    grid = PolarGrid(200, 12, edge_width=0.01)
     pressure = np.repeat(hertz_pressure(grid.r)[:, None], 13, axis=1)
     at = Fields(grid, grid.r, grid.theta, pressure, np.ones_like(pressure), 1.0, "none", 1.0)
     assert quantities.load_within(at, 1.0) == pytest.approx(HERTZ_LOAD, rel=1e-4)

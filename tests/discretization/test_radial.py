@@ -12,7 +12,7 @@ from softlube.model.substrates import LayerKernel
 
 def test_orders_left_out_are_interpolated():
     """Quintic in m, against kernels that are all computed; near the centre there is no pressure of such orders."""
-    grid = PolarGrid(40, 20, layer=0.05, side_layer=0.07, crowding=1.5)
+    grid = PolarGrid(40, 20, edge_width=0.05, side_width=0.07, side_clustering=1.5)
     operator = elastic_operator(grid, "none")
     n_modes = operator.analysis.shape[0]
     exact, _ = radial_operators(grid, np.arange(n_modes))
@@ -29,7 +29,7 @@ def test_orders_left_out_are_interpolated():
 @pytest.mark.parametrize("thickness", [0.15, 0.6, 3.0])
 def test_a_remainder_is_sampled_finely_enough(thickness):
     """Against the same remainder on every point of every element, near ones graded."""
-    grid, layer, orders = PolarGrid(40, 12, layer=0.05), LayerKernel(thickness), np.arange(9)
+    grid, layer, orders = PolarGrid(40, 12, edge_width=0.05), LayerKernel(thickness), np.arange(9)
 
     class Rough:
         smooth_over = 1e-9  # all elements are long to it
@@ -50,7 +50,7 @@ def test_operator_shapes():
 
 def test_the_displacement_under_a_gaussian_in_closed_form():
     """∫ e^{−r′²} k₀ r′ dr′ = π^{3/2} e^{−r²/2} I₀(r²/2), and ∫ e^{−r²} r dr = 1/2."""
-    grid = PolarGrid(60, 8, layer=0.3)
+    grid = PolarGrid(60, 8, edge_width=0.3)
     kernels, weights = radial_operators(grid, np.arange(1))
     pressure = np.exp(-(grid.r**2))
     inner = grid.r < 5

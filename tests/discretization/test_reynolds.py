@@ -8,7 +8,7 @@ from softlube.discretization.grid import PolarGrid
 from softlube.discretization.reynolds import ReynoldsOperator
 from softlube.model.exact import kapitza_pressure
 
-GRID = PolarGrid(16, 10, layer=0.2)
+GRID = PolarGrid(16, 10, edge_width=0.2)
 
 
 def smooth_fields(grid):
@@ -49,7 +49,7 @@ def test_fourth_order_on_a_manufactured_solution(direction):
     sizes = np.array([24, 36, 54])
     errors = []
     for n in sizes:
-        grid = PolarGrid(n, 160, layer=0.5, reach=6) if direction == "r" else PolarGrid(300, n, layer=0.5, reach=6)
+        grid = PolarGrid(n, 160, edge_width=0.5, reach=6) if direction == "r" else PolarGrid(300, n, edge_width=0.5, reach=6)
         pressure, film = smooth_fields(grid)
         residual = ReynoldsOperator.on(grid).residual(pressure, film, 0.3).reshape(grid.n_r, -1)
         # The first ring presumes that no liquid is left at the centre, which holds for solutions only.
@@ -63,7 +63,7 @@ def test_kapitza_solution_converges_at_fourth_order():
     """Rigid sphere: the linear problem for a given film, with the exact pressure imposed at the rim."""
     beta, gap, errors, sizes = 2.0, 0.15, [], np.array([24, 36, 54])
     for n in sizes:
-        grid = PolarGrid(2 * n, n, layer=0.4, side_layer=1.0, reach=10)
+        grid = PolarGrid(2 * n, n, edge_width=0.4, side_width=1.0, reach=10)
         exact = kapitza_pressure(grid.r[:, None], grid.theta, beta, gap).ravel()
         film = np.repeat(gap + grid.r**2 / 2, grid.theta.size)
         operator, known = ReynoldsOperator.on(grid), exact.copy()

@@ -12,7 +12,7 @@ from softlube.model.problem import Problem
 from softlube.steady.mesh import grid_for
 from softlube.steady.regime import Regime
 
-GRID = PolarGrid(20, 10, layer=0.1)
+GRID = PolarGrid(20, 10, edge_width=0.1)
 PROBLEMS = [
     Problem(beta=50.0),
     Problem(beta=50.0, height=0),

@@ -9,7 +9,7 @@ from softlube.discretization.unsteady import Step, mass_matrix
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
 
-GRID = PolarGrid(30, 12, layer=0.2)
+GRID = PolarGrid(30, 12, edge_width=0.2)
 PROBLEMS = [Problem(beta=50.0), Problem(beta_load=80.0), Problem(beta=50.0, cavitation="none")]
 
 

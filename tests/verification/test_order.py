@@ -12,7 +12,7 @@ from softlube.model.problem import Problem
 from softlube.steady.level import solve_level
 from softlube.steady.regime import Regime
 
-FINE = {"layer": 0.15, "side_layer": 0.5}
+FINE = {"edge_width": 0.15, "side_width": 0.5}
 
 
 def errors(problem, grids, finest, names):
@@ -46,8 +46,8 @@ def test_smooth_solutions_converge_at_fourth_order(direction, sizes):
 
 def test_free_boundary_leaves_at_least_second_order():
     problem, sizes = Problem(beta=100.0), np.array([10, 14, 20, 28])
-    grids = [PolarGrid(int(2.2 * n), n, layer=0.06, side_layer=0.5) for n in sizes]
-    finest = PolarGrid(110, 50, layer=0.06, side_layer=0.5)
+    grids = [PolarGrid(int(2.2 * n), n, edge_width=0.06, side_width=0.5) for n in sizes]
+    finest = PolarGrid(110, 50, edge_width=0.06, side_width=0.5)
     names = ["film_center", "film_min", "film_outlet_min", "load_contact", "friction_contact"]
     found = errors(problem, grids, finest, names)
     assert order(sizes, np.exp(np.log(found).mean(axis=1))) > 1.9

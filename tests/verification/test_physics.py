@@ -123,8 +123,8 @@ def test_the_answer_does_not_depend_on_the_grid_s_reach_or_grading():
     grid = grid_for(Regime.of(problem), 27)
     for other in (
         replace(grid, reach=40.0),
-        replace(grid, side_layer=2 * grid.side_layer),
-        replace(grid, layer=grid.layer * 1.4),
+        replace(grid, side_width=2 * grid.side_width),
+        replace(grid, edge_width=grid.edge_width * 1.4),
     ):
         other = other.resized(int(np.ceil(other.xi_of(other.reach) * 27 / 6)), 27)
         first, second = solve_level(Regime.of(problem), grid).level.values, solve_level(Regime.of(problem), other).level.values

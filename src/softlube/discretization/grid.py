@@ -30,50 +30,50 @@ A coefficient of 1 takes a fifth of the rings away and trebles the error of the 
 class PolarGrid:
     """Half of the plane, 0 ≤ θ ≤ π, in cells that are uniform in (ξ, s).
 
-    Radially, with ρ = r/`edge` and d = `layer`, ξ(r) = asinh((ρ − 1)/d) + asinh((ρ + 1)/d) − 0.8 asinh(ρ/2): cells are about d
-    wide (over `edge`, in units of Δξ) at the contact edge and grow in proportion to the distance from it, faster far outside
+    Radially, with ρ = r/`edge` and d = `edge_width`, ξ(r) = asinh((ρ − 1)/d) + asinh((ρ + 1)/d) − 0.8 asinh(ρ/2): cells are
+    about d wide (over `edge`, in units of Δξ) at the contact edge and grow in proportion to the distance from it, faster far outside
     where the pressure is a power of r.  A `crest` adds a second zone of the same kind.  ξ is odd in r, so the mesh continues
     smoothly through the centre to the opposite side, (−r, θ) = (r, π − θ).
 
-    Angularly, ds/dθ ∝ 1 + c/√(w² + cos²θ) with w = `side_layer` and c = `crowding`: intervals shrink in proportion to the
-    distance from 90°, down to a zone of angle w around it.  The number of angles that it takes to resolve a layer thus grows
-    only like the logarithm of its width.  Functions even and periodic in θ are so in s.
+    Angularly, ds/dθ ∝ 1 + c/√(w² + cos²θ) with w = `side_width` and c = `side_clustering`: intervals shrink in proportion to
+    the distance from 90°, down to a zone of angle w around it.  The number of angles that it takes to resolve a narrow feature
+    thus grows only like the logarithm of its width.  Functions even and periodic in θ are so in s.
 
     Parameters
     ----------
     n_r, n_theta : int
         Number of cells along r, and of intervals along θ (n_theta + 1 nodes, the axis included at both ends).
-    layer : float
+    edge_width : float
         Width of the refined zone at the contact edge, relative to `edge`.
-    side_layer : float
+    side_width : float
         Angle of the refined zone at θ = 90°, in radians.
-    crowding : float
-        How strongly the angles are drawn there.
+    side_clustering : float
+        How strongly the angles are clustered there, c above.
     reach : float
         Outer radius of the last cell, relative to `edge`.
     edge : float
         Radius of the contact edge in the units of the problem.
     crest : float
         Radius, relative to `edge`, at which the mesh is refined once more, 0 for nowhere.
-    crest_layer : float
+    crest_width : float
         Width of the refined zone there, relative to `edge`.
     """
 
     n_r: int
     n_theta: int
-    layer: float = 0.05
-    side_layer: float = 0.5
-    crowding: float = 0.5
+    edge_width: float = 0.05
+    side_width: float = 0.5
+    side_clustering: float = 0.5
     reach: float = 20.0
     edge: float = 1.0
     crest: float = 0.0
-    crest_layer: float = 0.05
+    crest_width: float = 0.05
 
     def __post_init__(self) -> None:
         if self.n_r < 8 or self.n_theta < 6:
             raise ValueError(f"a polar grid needs n_r >= 8 and n_theta >= 6, not {self.n_r} x {self.n_theta}")
-        if not min(self.layer, self.side_layer, self.crowding, self.reach - 1, self.edge, self.crest_layer) > 0:
-            raise ValueError("a polar grid needs layers > 0, crowding > 0, reach > 1 and edge > 0")
+        if not min(self.edge_width, self.side_width, self.side_clustering, self.reach - 1, self.edge, self.crest_width) > 0:
+            raise ValueError("a polar grid needs widths > 0, side_clustering > 0, reach > 1 and edge > 0")
         if not 0 <= self.crest < self.reach:
             raise ValueError("a polar grid needs a crest between 0 and its reach")
 
@@ -82,7 +82,7 @@ class PolarGrid:
     @property
     def _zones(self) -> list[tuple[float, float]]:
         """Place and width of the refined zones, over `edge`."""
-        return [(1.0, self.layer), *([(self.crest, self.crest_layer)] if self.crest else [])]
+        return [(1.0, self.edge_width), *([(self.crest, self.crest_width)] if self.crest else [])]
 
     def xi_of(self, r: ArrayLike) -> Array:
         """Uniform radial coordinate ξ of radius r."""
@@ -93,11 +93,11 @@ class PolarGrid:
     def r_of(self, xi: ArrayLike) -> Array:
         """Radius r of the uniform coordinate ξ (Newton's method on `xi_of`, to round-off)."""
         xi = np.asarray(xi, dtype=float)
-        d = self.layer
+        d = self.edge_width
         table = 1 + d * np.sinh(np.linspace(-np.arcsinh(1 / d), np.arcsinh(2 * self.reach / d), 800))
         if self.crest:
             # Newton's method needs a table that has seen the crest's zone.
-            near = self.crest + self.crest_layer * np.sinh(np.linspace(-5, 5, 201))
+            near = self.crest + self.crest_width * np.sinh(np.linspace(-5, 5, 201))
             table = np.union1d(table, near[near > 0])
         table[0] = 0
         rho = np.interp(np.abs(xi), self.xi_of(table * self.edge), table)
@@ -136,25 +136,25 @@ class PolarGrid:
 
     # --- angular direction ------------------------------------------------------------------------------------------
 
-    def _crowded(self, angle: Array) -> Array:
+    def _clustered(self, angle: Array) -> Array:
         """∫ (1 + c/√(w² + sin²φ)) dφ from 90° to an angle from there, an elliptic integral."""
-        return angle + self.crowding / self.side_layer * ellipkinc(angle, -1 / self.side_layer**2)
+        return angle + self.side_clustering / self.side_width * ellipkinc(angle, -1 / self.side_width**2)
 
     @cached_property
     def _stretch(self) -> float:
-        """Length of the quarter circle in the crowded measure, over its length in s."""
-        return float(self._crowded(np.array(np.pi / 2))) / (np.pi / 2)
+        """Length of the quarter circle in the clustered measure, over its length in s."""
+        return float(self._clustered(np.array(np.pi / 2))) / (np.pi / 2)
 
     @cached_property
     def _angles(self) -> tuple[Array, Array]:
         """A table of s and θ, dense around 90°."""
-        angle = np.geomspace(1e-6 * self.side_layer, np.pi / 2, 1000)
+        angle = np.geomspace(1e-6 * self.side_width, np.pi / 2, 1000)
         theta = np.pi / 2 + np.concatenate([-angle[::-1], [0.0], angle])
         return self.s_of(theta), theta
 
     def s_of(self, theta: ArrayLike) -> Array:
         """Uniform coordinate s of angle θ in [0, π]."""
-        return np.pi / 2 + self._crowded(np.asarray(theta, dtype=float) - np.pi / 2) / self._stretch
+        return np.pi / 2 + self._clustered(np.asarray(theta, dtype=float) - np.pi / 2) / self._stretch
 
     def theta_of(self, s: ArrayLike) -> Array:
         """Angle θ of the uniform coordinate s in [0, π] (Newton's method on `s_of`, to round-off)."""
@@ -163,12 +163,12 @@ class PolarGrid:
         for _ in range(20):
             step = (self.s_of(theta) - s) * self._slope(theta)
             theta = theta - step
-            if np.all(np.abs(step) <= 1e-9 * self.side_layer):  # quadratic: the next step would be round-off
+            if np.all(np.abs(step) <= 1e-9 * self.side_width):  # quadratic: the next step would be round-off
                 break
         return theta
 
     def _slope(self, theta: Array) -> Array:
-        return self._stretch / (1 + self.crowding / np.hypot(self.side_layer, np.cos(theta)))
+        return self._stretch / (1 + self.side_clustering / np.hypot(self.side_width, np.cos(theta)))
 
     def dtheta_ds(self, s: ArrayLike) -> Array:
         """Derivative dθ/ds at s in [0, π]."""

@@ -141,8 +141,8 @@ class ContactSystem:
         Dry contacts of radii spread over the boundary layer, under which the film is positive everywhere.  The superposition
         is smooth at the scale β^(−2/5) of the boundary layer, and so much deeper that the film at the centre is β^(−3/5), as in
         the Hertz limit; or deeper, until the film is positive on this grid (the displacement of a thin substrate is a small
-        difference of large ones).  Far outside the far field is added, so that the free boundary starts where it ends.  High over the
-        surface, h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
+        difference of large ones).  Far outside the far field is added, so that the free boundary starts where it ends.  High
+        over the surface, h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
         """
         height = -dry_contact(self.substrate).indentation if height is None else height
         if not self.problem.load_controlled:

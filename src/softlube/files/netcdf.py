@@ -26,6 +26,8 @@ from softlube.steady.solution import Solution
 SI_SUFFIX = "_SI"
 OTHER_SUFFIX = "_other"
 POLAR = "plain polar coordinates"
+RENAMED = {"layer": "edge_width", "side_layer": "side_width", "crowding": "side_clustering", "crest_layer": "crest_width"}
+"""Fields of `PolarGrid` as development versions of 0.2.0 called them, and their present names."""
 
 
 def _plain(level: Level) -> dict[str, Any]:
@@ -42,7 +44,7 @@ def _chart(stored: str) -> Chart:
         from softlube.discretization.chart import PolarChart
 
         return PolarChart()
-    return PolarGrid(**json.loads(stored))
+    return PolarGrid(**{RENAMED.get(name, name): value for name, value in json.loads(stored).items()})
 
 
 def to_dataset(solution: Solution) -> xr.Dataset:

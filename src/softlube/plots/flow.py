@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
-from softlube.plots.solution import FILM_COLOUR, PRESSURE_COLOUR, STYLE
+from softlube.plots.solution import FILM_COLOUR, PRESSURE_COLOUR, STYLE, over_unit
 from softlube.readout import flow
 from softlube.readout.free_boundary import free_boundary, is_wet
 from softlube.steady.solution import Solution
@@ -22,6 +22,7 @@ Columns = dict[str, Array]
 
 REACH = 1.6
 """How far the pictures go, over the contact radius."""
+LENGTH = over_unit("r")
 
 
 def inlet_right(ax: Axes) -> None:
@@ -40,9 +41,7 @@ def _arrows(ax: Axes, lines: list[Array], colour: str) -> None:
             )
 
 
-def plane(
-    ax: Axes, solution: Solution, *, level: float | None = None, length: float = 1.0, unit: str = r"\,/\,\sqrt{R|h_0|}"
-) -> Columns:
+def plane(ax: Axes, solution: Solution, *, level: float | None = None, length: float = 1.0, unit: str = LENGTH) -> Columns:
     """Streamlines in the plane over the speed, frame of the sphere; of the mean flow, or at one level.
 
     Parameters
@@ -107,7 +106,7 @@ def plane(
     }
 
 
-def section(ax: Axes, solution: Solution, *, length: float = 1.0, unit: str = r"\,/\,\sqrt{R|h_0|}") -> Columns:
+def section(ax: Axes, solution: Solution, *, length: float = 1.0, unit: str = LENGTH) -> Columns:
     """Streamlines in the vertical mid-plane over the velocity along x, frame of the sphere; height as a share of the film."""
     x, zeta = np.linspace(-REACH, REACH, 401), np.linspace(0, 1, 101)
     across, up = np.meshgrid(x, zeta)
@@ -138,7 +137,7 @@ def section(ax: Axes, solution: Solution, *, length: float = 1.0, unit: str = r"
     return {"x [sqrt(R|h0|)]": across[thin].ravel(), "level": up[thin].ravel(), "v_x [v]": v_x[thin].ravel()}
 
 
-def walls(ax: Axes, solution: Solution, axis: str, *, length: float = 1.0, unit: str = r"\,/\,\sqrt{R|h_0|}") -> Columns:
+def walls(ax: Axes, solution: Solution, axis: str, *, length: float = 1.0, unit: str = LENGTH) -> Columns:
     """Shear stress τ_zx on both walls along x or y; in SI if the solution is of a physical contact."""
     place = np.unique(
         np.concatenate([np.linspace(-REACH, REACH, 241), np.linspace(-1.1, -0.9, 161), np.linspace(0.9, 1.1, 161)])
@@ -177,7 +176,7 @@ def _stress_scale(solution: Solution) -> tuple[float, str]:
 def _length_scale(solution: Solution) -> tuple[float, str]:
     """Factor from √(R|h₀|) to the unit plotted, and its label (inside mathematics)."""
     if solution.contact is None:
-        return 1.0, r"\,/\,\sqrt{R\delta}" if solution.problem.load_controlled else r"\,/\,\sqrt{R|h_0|}"
+        return 1.0, over_unit("r", r"\delta" if solution.problem.load_controlled else "|h_0|")
     radius = solution.contact.unit_length
     for factor, name in ((1e9, "nm"), (1e6, "µm"), (1e3, "mm"), (1.0, "m")):
         if radius * factor < 1000:

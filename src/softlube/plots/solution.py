@@ -57,7 +57,7 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
     """Length, film and pressure: factor from normalised to the plotted unit, and label."""
     if solution.contact is None:
         unit = r"\delta" if solution.problem.load_controlled else "|h_0|"
-        length, film, pressure = (rf"\,/\,{FIELDS[name].unit.tex.format(unit)}" for name in ("r", "film", "pressure"))
+        length, film, pressure = (over_unit(name, unit) for name in ("r", "film", "pressure"))
         return 1.0, f"${length}$", 1.0, _label("film", over=film), 1.0, _label("pressure", over=pressure)
     dimensional, quantities = solution.dimensional, solution.quantities
 
@@ -75,6 +75,11 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
         scale("pressure_center") * pressure_factor,
         _label("pressure", pressure_unit),
     )
+
+
+def over_unit(name: str, height: str = "|h_0|") -> str:
+    """The unit of a field behind a slash, inside mathematics: of a normalised problem, with its unit of height."""
+    return rf"\,/\,{FIELDS[name].unit.tex.format(height)}"
 
 
 def _label(name: str, unit: str = "", *, over: str = "") -> str:

@@ -67,9 +67,9 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
-        layer=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25)),
-        side_layer=float(min((2.4 if regime.deep else 1.4) * 2.0 ** (octave * 0.625), 1.0)),
-        crowding=(1.2 if regime.deep else 0.7) + STEEP_CROWDING * steep,
+        edge_width=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25)),
+        side_width=float(min((2.4 if regime.deep else 1.4) * 2.0 ** (octave * 0.625), 1.0)),
+        side_clustering=(1.2 if regime.deep else 0.7) + STEEP_CROWDING * steep,
         reach=60.0 if regime.over_gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap
         edge=edge,
     )

@@ -226,7 +226,7 @@ class Motion:
         reach = REACH * max(
             1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge
         )
-        return PolarGrid(n_r=n_r, n_theta=6, layer=float(width), reach=float(reach), edge=float(edge))
+        return PolarGrid(n_r=n_r, n_theta=6, edge_width=float(width), reach=float(reach), edge=float(edge))
 
 
 def constant_load(load: float, initial_height: float, duration: float) -> Motion:

@@ -61,7 +61,7 @@ def test_a_solid_liquid_carries_the_film_along_to_third_order():
     """Without fluidity the equation is ∂u/∂x = 0, taken from upstream."""
     errors = []
     for n in (32, 64, 128):
-        grid = PolarGrid(3 * n, n, layer=0.25, side_layer=1.0)
+        grid = PolarGrid(3 * n, n, edge_width=0.25, side_width=1.0)
         x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
         bump = np.exp(-((x - 0.3) ** 2) - y**2)
         residual = ReynoldsOperator.on(grid).residual(np.full(x.size, 1.0), (2 + bump).ravel(), 1.0, BarusLaw(200.0))
@@ -77,7 +77,7 @@ def test_a_solid_compressible_liquid_carries_its_mass_along_to_third_order():
     """The equation is ∂(ρu)/∂x = 0 then, whatever the pressures are that make the density."""
     liquid, errors = DowsonHigginsonLaw(BarusLaw(400.0), 0.6), []
     for n in (32, 64, 128):
-        grid = PolarGrid(3 * n, n, layer=0.25, side_layer=1.0)
+        grid = PolarGrid(3 * n, n, edge_width=0.25, side_width=1.0)
         x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
         film, pressure = 2 + np.exp(-((x - 0.3) ** 2) - y**2), 1 + 0.5 * np.exp(-((x + 0.2) ** 2) - 2 * y**2)
         residual = ReynoldsOperator.on(grid).residual(pressure.ravel(), film.ravel(), 1.0, liquid)

@@ -74,7 +74,7 @@ def test_kernel_against_the_hankel_transform(layer, r, source):
 @pytest.mark.parametrize("layer", [LayerKernel(0.7), LayerKernel(0.4, 0.3), LayerKernel(0.5, 0.0, "frictionless")])
 def test_displacement_under_a_gaussian(layer):
     """Against w = −2π∫ C p̃ J₀(kr) dk with p̃ = e^(−k²/4)/2."""
-    grid = PolarGrid(54, 8, layer=0.3)
+    grid = PolarGrid(54, 8, edge_width=0.3)
     pressure = np.exp(-(np.repeat(grid.r, 9) ** 2))
     ours = elastic_operator(grid, "none", layer.remainder).deflection(pressure).reshape(grid.shape)[:, 0]
     for i in range(0, 40, 5):
@@ -88,7 +88,7 @@ def test_displacement_under_a_gaussian(layer):
 
 def test_an_incompressible_layer_keeps_its_volume():
     """C ~ k³: a load far from the edge neither sinks nor lifts the layer as a whole, ∫ w dA = 0."""
-    grid = PolarGrid(60, 8, layer=0.3)
+    grid = PolarGrid(60, 8, edge_width=0.3)
     pressure = np.exp(-(np.repeat(grid.r, 9) ** 2))
     operator = elastic_operator(grid, "none", LayerKernel(0.5).remainder)
     sunk = operator.deflection(pressure)

@@ -10,7 +10,7 @@ from softlube.model.liquids import BarusLaw, NewtonianLaw, RoelandsLaw
 from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 from softlube.transient.squeeze.rings import SqueezeFilm
 
-GRID = PolarGrid(n_r=96, n_theta=6, layer=0.1, reach=60)
+GRID = PolarGrid(n_r=96, n_theta=6, edge_width=0.1, reach=60)
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.model.problem import Cavitation
-from softlube.plots.solution import STYLE
+from softlube.model.quantities import FIELDS
+from softlube.plots.solution import STYLE, over_unit
 from softlube.steady.solution import Solution
 
 if TYPE_CHECKING:
@@ -185,9 +186,9 @@ MARKERS = ("o", "s", "^", "D", "v", "P")
 LINES = ("-", "--", "-.", (0, (5, 1.5, 1, 1.5, 1, 1.5)), (0, (1, 1.2)))
 """Line styles, so that curves differ without colour as well."""
 
-LENGTH = r"\,/\,\sqrt{R|h_0|}"
-FILM = r"film $u\,/\,|h_0|$"
-PRESSURE = r"pressure $p\,/\,4\pi G\sqrt{|h_0|/R}$"
+LENGTH = over_unit("r")
+FILM = f"film ${FIELDS['film'].symbol}{over_unit('film')}$"
+PRESSURE = f"{FIELDS['pressure'].words} ${FIELDS['pressure'].symbol}{over_unit('pressure')}$"
 BETA = r"$\beta$"
 
 

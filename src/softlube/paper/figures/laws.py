@@ -10,6 +10,7 @@ from softlube.model.exact import HERTZ_LOAD
 from softlube.paper.figures.base import (
     BETA,
     BLACK,
+    FILM,
     GREY,
     OKABE_ITO,
     ONE_COLUMN,
@@ -162,12 +163,9 @@ def films(solutions: Solutions) -> Drawn:
     ax = axes[0, 0]
     _draw_law(ax, center, OKABE_ITO[0], "o", r"$u(0)$")
     _draw_law(ax, thinnest, OKABE_ITO[1], "s", r"$\min u$")
-    ax.set(ylabel=FILM_LABEL)
+    ax.set(ylabel=FILM)
     ax.legend(frameon=False, loc="lower left")
     return Drawn(figure, [_table("laws", center, thinnest)], [*law_statements(center), *law_statements(thinnest)])
-
-
-FILM_LABEL = r"film $u\,/\,|h_0|$"
 
 
 @styled

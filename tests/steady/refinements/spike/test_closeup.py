@@ -32,7 +32,7 @@ def soft():
 
 @pytest.mark.parametrize("shift", [0.0, 0.3])
 def test_a_contact_does_not_know_where_the_mesh_has_its_centre(soft, shift):
-    grid = replace(grid_about(Regime.of(soft.problem), 26, shift, 0.6, 0.05), layer=0.15)
+    grid = replace(grid_about(Regime.of(soft.problem), 26, shift, 0.6, 0.05), edge_width=0.15)
     system = ShiftedSystem(soft.problem, grid, 1.0, shift)
     result = newton(system, np.append(carried(soft.fields, grid, shift).ravel(), soft.height))
     assert result.converged
@@ -49,7 +49,7 @@ def test_a_contact_does_not_know_where_the_mesh_has_its_centre(soft, shift):
 def test_pressures_are_carried_to_a_mesh_with_another_centre(soft):
     """What is linear in ξ and s in between is second order: a smooth pressure arrives within a per mil of its maximum."""
     shift = 0.25
-    grid = PolarGrid(90, 40, layer=0.1)
+    grid = PolarGrid(90, 40, edge_width=0.1)
     values = carried(soft.fields, grid, shift)
     r, theta = np.meshgrid(grid.r[: grid.n_r], grid.theta, indexing="ij")
     x, y = r * np.cos(theta) - shift, r * np.sin(theta)

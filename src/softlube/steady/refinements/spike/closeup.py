@@ -155,10 +155,10 @@ def grid_about(regime: Regime, angles: int, shift: float, radius: float, width: 
     grid = grid_for(regime, angles)
     grid = replace(
         grid,
-        layer=max(grid.layer, EDGE_LAYER * shift / grid.edge),
-        side_layer=max(grid.side_layer, min(SIDE_LAYER * shift, 1.0)),
+        edge_width=max(grid.edge_width, EDGE_LAYER * shift / grid.edge),
+        side_width=max(grid.side_width, min(SIDE_LAYER * shift, 1.0)),
         crest=radius / grid.edge,
-        crest_layer=width / grid.edge,
+        crest_width=width / grid.edge,
     )
     return grid.resized(int(np.ceil(grid.xi_of(grid.reach * grid.edge) * angles / RADIAL_STEP)), angles)
 

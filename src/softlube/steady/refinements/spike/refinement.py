@@ -55,7 +55,7 @@ class Spike(Refinement):
         crest = crest_of(self.regime, before.fields, before.grid.crest * before.grid.edge)
         if not crest:
             return grid
-        return replace(grid, crest=crest / grid.edge, crest_layer=crest_width(self.regime) / grid.edge)
+        return replace(grid, crest=crest / grid.edge, crest_width=crest_width(self.regime) / grid.edge)
 
     def determines(self, fields: Fields, values: Mapping[str, float]) -> Mapping[str, Convergence]:
         """What a spike determines that is not smooth on the grid; nothing is known where it is a needle."""
