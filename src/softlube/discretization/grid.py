@@ -31,9 +31,9 @@ class PolarGrid:
     """Half of the plane, 0 ≤ θ ≤ π, in cells that are uniform in (ξ, s).
 
     Radially, with ρ = r/`edge` and d = `edge_width`, ξ(r) = asinh((ρ − 1)/d) + asinh((ρ + 1)/d) − 0.8 asinh(ρ/2): cells are
-    about d wide (over `edge`, in units of Δξ) at the contact edge and grow in proportion to the distance from it, faster far outside
-    where the pressure is a power of r.  A `crest` adds a second zone of the same kind.  ξ is odd in r, so the mesh continues
-    smoothly through the centre to the opposite side, (−r, θ) = (r, π − θ).
+    about d wide (over `edge`, in units of Δξ) at the contact edge and grow in proportion to the distance from it, faster far
+    outside where the pressure is a power of r.  A `crest` adds a second zone of the same kind.  ξ is odd in r, so the mesh
+    continues smoothly through the centre to the opposite side, (−r, θ) = (r, π − θ).
 
     Angularly, ds/dθ ∝ 1 + c/√(w² + cos²θ) with w = `side_width` and c = `side_clustering`: intervals shrink in proportion to
     the distance from 90°, down to a zone of angle w around it.  The number of angles that it takes to resolve a narrow feature
