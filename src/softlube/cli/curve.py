@@ -28,7 +28,7 @@ def curve(
     beta
         One β, formed with the indentation; all quantities are printed.
     beta_load
-        The same with the Hertz indentation of a load.
+        β with the Hertz indentation of a load in place of h0.
     by
         What a range of β and the quantities are normalised with.
     start

@@ -64,11 +64,11 @@ def fit(
     interval
         "profile" (likelihood) or "bootstrap" [default: profile; bootstrap for a robust fit].
     confidence
-        Of the intervals.
+        Confidence level of the intervals.
     hold_out
         Fraction of the rows that is left out and then predicted, such as 0.2.
     seed
-        Of what is drawn at random.
+        Seed of the random draws.
     force
         "sphere" (shear on the ball, as in the paper) or "total" (the whole horizontal force).
     region

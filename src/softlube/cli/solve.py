@@ -42,7 +42,7 @@ def solve(
     beta
         β = (2/3)(h0²/R) πG/(ηv) of a given indentation.
     beta_load
-        The same with the Hertz indentation of a given load.
+        β with the Hertz indentation of a given load in place of h0.
     cavitation
         "reynolds" (no negative pressure) or "none".
     accuracy

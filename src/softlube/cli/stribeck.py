@@ -55,11 +55,11 @@ def stribeck(
     viscosity
         Dynamic viscosity of the liquid, such as "2 Pa s".
     poisson_ratio
-        Of the substrate.
+        Poisson's ratio of the substrate.
     ball_young_modulus
         Young's modulus of the ball [default: rigid].
     ball_poisson_ratio
-        Of the ball.
+        Poisson's ratio of the ball.
     substrate_radius
         Radius of a substrate that is a ball, too [default: flat].
     roughness

@@ -76,9 +76,9 @@ class ElasticOperator:
     far_pressure : ndarray, shape (2, n)
         Far field at the nodes per unit of 1/β: p = (far_pressure[0] + h₀ far_pressure[1])/β.
     far_displacement : ndarray, shape (2, n)
-        Displacement, sign reversed, by the far field beyond the outermost node, in the same two parts.
+        Displacement, sign reversed, by the far field beyond the outermost node; the rows are as in `far_pressure`.
     far_load : ndarray, shape (2,)
-        Load carried beyond the outermost node, in the same two parts.
+        Load carried beyond the outermost node; the entries are as the rows of `far_pressure`.
     """
 
     radial: Array

@@ -2,7 +2,7 @@
 
     ∂u/∂t + R(p, u) ≥ 0,     p ≥ 0,     p (∂u/∂t + R) = 0,     R = −∇·(u³∇p) − (1/β) ∂u/∂x.
 
-Each step is a complementarity problem like the steady one, for the same Newton's method.
+Each step is a complementarity problem, which Newton's method for the steady problem solves, too.
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ SHORT = {"modulus": "young_modulus", "offset": "friction_offset"}
 UNITS = {"viscosity": "Pa s", "young_modulus": "Pa", "friction_offset": "N"}
 NOISE = ("relative", "absolute")
 ACCURACY = 5e-3
-"""Of the solutions behind the curve; the error of the friction is then below 0.1 %, far below that of a measurement."""
+"""Relative accuracy of the solutions behind the curve: the friction is then good to 0.1 %, far better than a measurement."""
 ROBUST_ROUNDS = 3
 ROOM = 4.0
 """How far, as a factor of β, the curve reaches beyond the data at first."""
@@ -152,9 +152,9 @@ class Optimum:
     x : ndarray
         As in `Model.vector`.
     sum_of_squares : float
-        Of the residuals, without any loss function.
+        Sum of the squared residuals, without a loss function.
     covariance : ndarray
-        Of x, from the Jacobian.
+        Covariance of `x`, from the Jacobian of the residuals.
     """
 
     x: Array

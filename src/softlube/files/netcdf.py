@@ -31,15 +31,18 @@ RENAMED = {"layer": "edge_width", "side_layer": "side_width", "crowding": "side_
 
 
 def _plain(level: Level) -> dict[str, Any]:
+    """A level without its fields, in plain values."""
     kept = {name: value for name, value in vars(level).items() if name != "fields"}
     return kept | {"values": dict(level.values), "history": [record.summary() for record in level.history]}
 
 
 def _records(summaries: list[dict[str, Any]], method: str) -> tuple[Record, ...]:
+    """Records of the iteration, from their summaries in a file."""
     return tuple(Iteration(**summary) if method == "newton" else SavedRecord(summary) for summary in summaries)
 
 
 def _chart(stored: str) -> Chart:
+    """The coordinates of the fields, from the attribute "grid"."""
     if stored == POLAR:
         from softlube.discretization.chart import PolarChart
 

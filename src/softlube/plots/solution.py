@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from softlube.steady.solution import Solution
     from softlube.theory.master_curve import Curve
 
-MAP_RADIUS = 1.4
-PROFILE_RADIUS = 2.0
+MAP_RADIUS, PROFILE_RADIUS = 1.4, 2.0
+"""Half the side of the maps and half the length of the profiles, over the contact radius; more under a thick film."""
 FILM_COLOUR, PRESSURE_COLOUR = "#0072B2", "#D55E00"  # Okabe & Ito, safe for colour-blind readers
 STYLE = {
     "font.size": 8,
