@@ -223,7 +223,7 @@ def _sampled(grid: PolarGrid, orders: Orders, points: _Points, remainder: Remain
 
 
 def _add_near(result: Array, grid: PolarGrid, orders: Orders, remainder: Remainder | None, long: NDArray[np.bool_]) -> None:
-    """Add the integrals over the elements near a target: of the half-space's kernel, and on long elements of the remainder, too.
+    """Add the integrals over the elements near a target: of the half-space's kernel, on long elements of the remainder, too.
 
     ξ = target-side end ± L t⁴ removes the logarithm and follows kernels that are narrow for large m.
     """
