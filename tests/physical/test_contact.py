@@ -66,14 +66,16 @@ def test_units_round_trip(value, pair):
         ({"shear_modulus": "1 MPa"}, "young_modulus, shear_modulus: are both given; give exactly one"),
         ({"load": None}, "load, indentation: are both missing; give exactly one"),
         ({"indentation": "5 um"}, "load, indentation: are both given; give exactly one"),
-        ({"load": None, "indentation": "inf um"}, "indentation: expected a finite quantity"),
+        ({"load": None, "indentation": "inf um"}, "indentation: cannot read 'inf um'"),
+        ({"load": None, "indentation": float("inf")}, "indentation: expected a finite quantity"),
         ({"load": None, "indentation": float("nan")}, "indentation: expected a finite quantity"),
         ({"load": None, "indentation": "-5 N"}, "indentation: -5 N has the wrong dimension"),
         ({"load": None, "indentation": "-5"}, "indentation: '-5' has no unit"),
         ({"load": "0 N"}, "load: expected a positive"),
         ({"cavitation": "jfo"}, "cavitation: expected"),
         ({"roughness": "3 Pa"}, "roughness: 3 Pa has the wrong dimension"),
-        ({"speed": "1e-320 m/s", "viscosity": "1e-5 Pa s"}, "check their units"),
+        ({"speed": "1e-320 m/s"}, "speed: cannot read '1e-320 m/s': the number is too small"),
+        ({"speed": 1e-320, "viscosity": "1e-5 Pa s"}, "check their units"),
     ],
 )
 def test_bad_input_names_the_parameter_and_what_is_expected(change, message):

@@ -1,4 +1,4 @@
-"""Inputs, each declared once: name, dimension, words, example and default.  Text with units is read here, and nowhere else.
+"""Inputs, each declared once: name, dimension, words, example and default.
 
 The command line, plans of sweeps, CSV headers, files and the documentation take what they know of an input from here.
 """
@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from functools import cache
 from typing import Any, ClassVar, NamedTuple, SupportsFloat
 
 from softlube.errors import InputError
@@ -17,7 +16,7 @@ REQUIRED: Any = object()
 
 
 class Dimension(NamedTuple):
-    """A dimension: its SI unit as pint spells it, and its name with an article."""
+    """A dimension: its SI unit as `softlube.model.units` reads it, and its name with an article."""
 
     unit: str
     words: str
@@ -228,14 +227,7 @@ def exactly_one(choices: Mapping[str, object], inputs: Mapping[str, Input]) -> N
         raise InputError(f"{', '.join(choices)}: {verb}; give exactly one, {expected}")
 
 
-# --- text with units --------------------------------------------------------------------------------------------------
-
-
-@cache
-def _registry() -> Any:
-    import pint
-
-    return pint.UnitRegistry()
+# --- numbers, and texts with units -------------------------------------------------------------------------------------
 
 
 def read_quantity(name: str, value: object, unit: str, expected: str) -> float:
@@ -246,7 +238,7 @@ def read_quantity(name: str, value: object, unit: str, expected: str) -> float:
     name : str
         What messages call it.
     value : str, float or pint.Quantity
-        Text with a unit in any spelling that pint knows, a number already in the unit, or a quantity.
+        Text with a unit (`softlube.model.units` says which are read), a number already in the unit, or a pint quantity.
     unit : str
         The unit; empty for a plain number.
     expected : str
@@ -257,35 +249,21 @@ def read_quantity(name: str, value: object, unit: str, expected: str) -> float:
     InputError
         If the value is no quantity of the unit's dimension.
     """
-    if not unit:
-        try:
-            return float(value)  # type: ignore[arg-type]
-        except (TypeError, ValueError):
-            raise InputError(f"{name}: expected a number without unit, got {value!r}") from None
-    quantity: Any
-    if isinstance(value, (float, int)) and not isinstance(value, bool):
-        return float(value)
     if isinstance(value, str):
-        import pint
+        from softlube.model import units
 
-        text = value.strip()
         try:
-            quantity = _registry().Quantity(text)
-        except pint.UndefinedUnitError as error:
-            raise InputError(f"{name}: {text!r} has an unknown unit ({error.args[0]!r}); expected {expected}") from None
-        except Exception:  # pint's parser raises whatever the text provokes: SyntaxError, TypeError, DefinitionSyntaxError, …
-            raise InputError(f"{name}: cannot read {text!r}; expected {expected}") from None
-        if quantity.unitless:
-            raise InputError(f"{name}: {text!r} has no unit; expected {expected}")
-    elif hasattr(value, "to") and hasattr(value, "magnitude"):
-        quantity = value
-    elif isinstance(value, SupportsFloat) and not isinstance(value, bool):
-        return float(value)
-    else:
+            return units.read_quantity(value, unit) if unit else units.read_number(value)
+        except InputError as error:
+            raise InputError(f"{name}: {error}; expected {expected}") from None
+    if unit and hasattr(value, "to") and hasattr(value, "magnitude"):
+        try:
+            value = value.to(unit).magnitude
+        except Exception as error:
+            if type(error).__name__ == "DimensionalityError":
+                raise InputError(f"{name}: {value!s} has the wrong dimension; expected {expected}") from None
+            raise InputError(f"{name}: cannot read {value!r}; expected {expected}") from None
+    kind = getattr(getattr(value, "dtype", None), "kind", "f")  # an array's or a scalar's of NumPy
+    if not isinstance(value, SupportsFloat) or isinstance(value, bool) or kind not in "iuf" or getattr(value, "ndim", 0):
         raise InputError(f"{name}: cannot read {value!r}; expected {expected}")
-    try:
-        return float(quantity.to(unit).magnitude)
-    except Exception as error:
-        if type(error).__name__ == "DimensionalityError":
-            raise InputError(f"{name}: {value!s} has the wrong dimension; expected {expected}") from None
-        raise InputError(f"{name}: cannot read {value!r}; expected {expected}") from None
+    return float(value)

@@ -166,7 +166,7 @@ def test_round_trip_in_plain_values():
         ({"density_law": "barus"}, "density_law: expected 'constant' or 'dowson-higginson'"),
         ({"viscosity_law": "roelands", "pressure_viscosity": 1e-6, "viscosity": 0.01}, "use 'barus'"),
         ({"pressure_viscosity": "20 GPa"}, "pressure_viscosity: 20 GPa has the wrong dimension"),
-        ({"poisson_ratio": "half"}, "poisson_ratio: expected a number"),
+        ({"poisson_ratio": "half"}, "poisson_ratio: cannot read 'half': it does not begin with a number; expected a number"),
     ],
 )
 def test_bad_liquids_are_refused(change, message):
