@@ -139,7 +139,7 @@ def test_a_sphere_that_floats_is_solved_by_the_same_command(capsys, tmp_path, gi
         ([*BALL[:-1], "5 m"], "--load: 5 m has the wrong dimension"),
         ([*BALL[:-1], "5"], "--load: '5' has no unit"),
         ([*BALL[:-2], "--indentation", "-5 N"], "--indentation: -5 N has the wrong dimension"),
-        ([*BALL[:-2], "--indentation", "-inf m"], "--indentation: expected a finite"),
+        ([*BALL[:-2], "--indentation", "-inf m"], "--indentation: cannot read '-inf m': expected a finite"),
         ([*BALL, "--roughness", "0 nm"], "--roughness: expected a positive"),
     ],
 )

@@ -81,7 +81,7 @@ def test_the_right_numbers(tmp_path, content):
         (HEADER + "100, -0.1, 0.45\n", "line 2: speed: expected a positive, finite number .* got '-0.1'"),
         (HEADER + "100, −0.1, 0.45\n", "line 2: speed: expected a positive"),
         (HEADER + "0, 0.1, 0.45\n", "line 2: load: expected a positive"),
-        (HEADER + "100, 0.1, inf\n", "line 2: friction: expected a finite number"),
+        (HEADER + "100, 0.1, inf\n", "line 2: friction: 'inf' under .* is no number .*expected a finite number"),
         (HEADER + "100, 0.1\n", "line 2: 2 cells under 3 columns$"),
         (HEADER + "100, 0,1, 0,45\n", "line 2: 5 cells under 3 columns; a decimal comma needs semicolons"),
         ((HEADER + "100, 0.1, 0.45\n").replace(",", ";") + "100;0,1;0,45\n", "line 3: '0,1' here and '0.1' in line 2"),

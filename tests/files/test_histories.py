@@ -58,7 +58,7 @@ def test_a_height(tmp_path):
         ("time,load\n0\n1\n", "h.csv, line 2: 1 cells under 2 columns"),
         ("time,load\n0,1,5\n1,2,5\n", "h.csv, line 2: 3 cells under 2 columns; a decimal comma needs semicolons"),
         ("# a rig\ntime,load\n\n0,1\n1,nan\n", "h.csv, line 5: load is missing; expected a force"),
-        ("time,load\n0,1\n1,inf\n", "h.csv, line 3: load: expected a finite number under 'load', got 'inf'"),
+        ("time,load\n0,1\n1,inf\n", "h.csv, line 3: load: 'inf' under 'load' is no number .*expected a finite number"),
         ("time,load\n1,1\n2,1\n", "h.csv, line 2: expected times that start at 0"),
         ("time,load\n0,1\n2,1\n2,1\n", "h.csv, line 4: expected times that start at 0 and increase, got 2 s"),
         ("time,load\n0,1\n", "h.csv, line 2: expected at least two points of time and load"),

@@ -60,3 +60,48 @@ def test_columns_that_exclude_each_other(tmp_path):
 def test_a_refusal_begins_with_the_input_that_gave_the_file():
     with pytest.raises(InputError, match=r"^history: none: the"), given_as("history"):
         raise InputError("none: the file does not exist")
+
+
+LOADS = "load [mN];speed [mm/s]\n"
+
+
+@pytest.mark.parametrize(
+    ("content", "load"),
+    [
+        (LOADS + "1,234;0,5\n", 1.234e-3),  # the second cell shows what the comma is
+        (LOADS + "1234,567;5\n", 1.234567),
+        (LOADS + "1.234;5\n", 1.234e-3),
+        (LOADS + "–5;5\n", None),
+        ('load [mN],speed [mm/s]\n"1,5",2\n', 1.5e-3),
+        ("load [kg mm/s^2],speed [mm/s]\n1,2\n", 1e-3),
+        ("load (kg/(m s^-2)),speed [mm/s]\n1,2\n", None),
+    ],
+)
+def test_cells_with_one_meaning(tmp_path, content, load):
+    path = write(tmp_path, content)
+    if load is None:
+        with pytest.raises(InputError, match=r"line [12]: load"):
+            read_table(path, ["load", "speed"])
+    else:
+        assert read_table(path, ["load", "speed"]).columns["load"][0] == pytest.approx(load)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (LOADS + "1,234;5\n", "line 2: '1,234': the comma may part decimals or thousands; write '1.234' or '1234'"),
+        ('load [mN],speed [mm/s]\n"1,234",2\n', "'1,234': the comma may part decimals or thousands"),
+        (LOADS + "1_000;5\n", "load: '1_000' under .* is no number"),
+        (LOADS + "2\u202f500;5\n", "write it without signs between thousands, '2500'"),
+        (LOADS + "2–3;5\n", "a range is not taken"),
+        (LOADS + "2±1;5\n", "a tolerance is not taken"),
+        (LOADS + "5 N;5\n", r"is no number \(units belong in the header\).*it takes no unit"),
+        (LOADS + "٣;5\n", "is no number"),
+        ("load [MN 2];speed [mm/s]\n1;1\n", "load cannot be in 'MN 2'; expected a unit of a force"),
+        ("load [2 mN];speed [mm/s]\n1;1\n", "load cannot be in '2 mN'"),
+        ("load [mn];speed [mm/s]\n1;1\n", "load cannot be in 'mn'.*write 'mN'"),
+    ],
+)
+def test_cells_and_units_with_several_meanings_are_refused(tmp_path, content, message):
+    with pytest.raises(InputError, match=message):
+        read_table(write(tmp_path, content), ["load", "speed"])

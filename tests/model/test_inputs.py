@@ -1,5 +1,8 @@
 """Declarations of inputs: what they read, refuse and say."""
 
+from decimal import Decimal
+
+import numpy as np
 import pytest
 
 from softlube.errors import InputError
@@ -30,7 +33,7 @@ def test_values_stand_on_the_instance_in_si():
         ({}, "tallness: missing; expected a length such as '3 mm'"),
         ({"tallness": "3"}, "tallness: '3' has no unit; expected a length such as '3 mm'"),
         ({"tallness": "0 m"}, "tallness: expected a positive, finite quantity, a length such as '3 mm'; got 0 m"),
-        ({"tallness": 1.0, "ageing": "inf s"}, "ageing: cannot read 'inf s': it does not begin with a number; expected a time"),
+        ({"tallness": 1.0, "ageing": "inf s"}, "ageing: cannot read 'inf s': expected a finite number; expected a time"),
         ({"tallness": 1.0, "ageing": float("inf")}, "ageing: expected a finite quantity"),
         ({"tallness": 1.0, "glue": 2}, "glue: expected a number between 0 and 1, got 2"),
         ({"tallness": 1.0, "glue": float("nan")}, "glue: expected a number between 0 and 1"),
@@ -47,6 +50,28 @@ def test_an_input_under_another_name():
     with pytest.raises(InputError, match="gap: 1 s has the wrong dimension; expected a length"):
         Slab.tallness.read("1 s", "gap")
     assert Slab.ageing.read("-2 ms") == pytest.approx(-2e-3)
+
+
+def test_numbers_are_si():
+    for value in (2, 2.0, np.float32(2), np.int64(2), np.array(2.0), Decimal(2)):
+        assert Slab.tallness.read(value) == 2.0
+    for value in (True, np.True_, 2j, np.complex128(2), [2.0], np.array([2.0]), b"2 m", None):
+        with pytest.raises(InputError, match=r"tallness: cannot read .*; expected a length such as '3 mm'"):
+            Slab.tallness.read(value)
+
+
+def test_several_values_have_all_a_unit_or_none():
+    assert Slab.tallness.read_all(["2 mm", "2,5 mm"]) == [2e-3, 2.5e-3]
+    assert Slab.tallness.read_all([1, 2.5]) == [1.0, 2.5]
+    assert Slab.glue.read_all(["0,5", 0.25]) == [0.5, 0.25]
+    with pytest.raises(InputError, match="tallness: 50 has no unit, and others have"):
+        Slab.tallness.read_all(["20 mm", 50])
+
+
+def test_the_factor_of_a_unit():
+    assert Slab.tallness.factor("mm") == 1e-3
+    with pytest.raises(InputError, match="s has the wrong dimension"):
+        Slab.tallness.factor("s")
 
 
 def test_the_help_is_a_sentence():

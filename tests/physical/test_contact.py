@@ -66,7 +66,7 @@ def test_units_round_trip(value, pair):
         ({"shear_modulus": "1 MPa"}, "young_modulus, shear_modulus: are both given; give exactly one"),
         ({"load": None}, "load, indentation: are both missing; give exactly one"),
         ({"indentation": "5 um"}, "load, indentation: are both given; give exactly one"),
-        ({"load": None, "indentation": "inf um"}, "indentation: cannot read 'inf um'"),
+        ({"load": None, "indentation": "inf um"}, "indentation: cannot read 'inf um': expected a finite number"),
         ({"load": None, "indentation": float("inf")}, "indentation: expected a finite quantity"),
         ({"load": None, "indentation": float("nan")}, "indentation: expected a finite quantity"),
         ({"load": None, "indentation": "-5 N"}, "indentation: -5 N has the wrong dimension"),

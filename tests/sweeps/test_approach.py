@@ -227,7 +227,7 @@ duration = "20 ms"
         ('load = "100 mN"', 'beta = "3"', "line 9: beta: no parameter of a squeeze film, but one of a contact"),
         ('load = "100 mN"', 'height = "3 um"', "line 9: height: no parameter of a squeeze film; expected one of radius"),
         ('load = "100 mN"', 'load = "-1 N"', "line 9: load: expected a positive"),
-        ('load = "100 mN"', 'load = ["1 N", "x"]', "line 9: load: 'x' has an unknown unit"),
+        ('load = "100 mN"', 'load = ["1 N", "x"]', "line 9: load: cannot read 'x'"),
         (
             'load = "100 mN"',
             "",

@@ -18,12 +18,34 @@ def speeds(plan):
 
 def test_lists_ranges_and_the_product_last_axis_fastest():
     log = {"from": "25 um/s", "to": "1 mm/s", "count": 5}
-    plan = make_plan({"load": ["18.6 mN", 0.2381], **{name: BALL[name] for name in BALL if name != "load"}, "speed": log})
+    plan = make_plan({"load": ["18.6 mN", "238,1 mN"], **{name: BALL[name] for name in BALL if name != "load"}, "speed": log})
     assert len(plan.cases) == 10
     assert speeds(plan)[:5] == pytest.approx([2.5e-5 * 40 ** (i / 4) for i in range(5)])
     assert [case.inputs["load"] for case in plan.cases] == pytest.approx([0.0186] * 5 + [0.2381] * 5)
     linear = make_plan(BALL | {"speed": log | {"spacing": "linear"}})
     assert speeds(linear)[2] == pytest.approx((2.5e-5 + 1e-3) / 2)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"load": ["20 mN", 50]},
+        {"load": [0.02, "50 mN"]},
+        {"speed": {"from": "25 um/s", "to": 1, "count": 5}},
+    ],
+)
+def test_a_number_without_unit_beside_one_with_a_unit_is_refused(change):
+    with pytest.raises(softlube.InputError, match="has no unit, and others have; give all of them a unit, or none"):
+        make_plan(BALL | change)
+
+
+def test_numbers_alone_are_si_and_plain_numbers_have_no_unit():
+    plan = make_plan(BALL | {"load": [0.02, np.float32(0.5), 1], "poisson_ratio": [0.5, "0,5"]})
+    assert [case.inputs["load"] for case in plan.cases[::2]] == [0.02, 0.5, 1.0]
+    assert {case.inputs["poisson_ratio"] for case in plan.cases} == {0.5}
+    for wrong in (True, [0.02, True], np.array([True])):
+        with pytest.raises(softlube.InputError, match="load: cannot read True"):
+            make_plan(BALL | {"load": wrong})
 
 
 def test_zipped():

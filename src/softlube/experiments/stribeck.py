@@ -11,6 +11,7 @@ import numpy as np
 from softlube.errors import InputError
 from softlube.experiments.load_curve import LoadCurve, check_friction, load_curve
 from softlube.model.quantities import header
+from softlube.physical.inputs import declared
 from softlube.physical.rig import Rig, hertz_force
 from softlube.physical.units import to_si
 from softlube.solvers.progress import Listener
@@ -89,7 +90,7 @@ def stribeck_curve(
     given = list(loads) if isinstance(loads, Sequence) and not isinstance(loads, str) else [loads]
     if not given:
         raise InputError("load: missing; expected a force such as '100 mN'")
-    in_si = [to_si("load", load) for load in given]
+    in_si = declared()["load"].read_all(given)
     ends = [None if speed is None else to_si("entrainment_speed", speed) for speed in (slowest, fastest)]
     if ends[0] is not None and ends[1] is not None and ends[0] >= ends[1]:
         raise InputError(f"slowest, fastest: expected a slower and a faster speed, got {ends[0]:g} and {ends[1]:g} m/s")

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from softlube.errors import InputError
 from softlube.model.inputs import NUMBER, Input
+from softlube.model.units import THOUSANDS, read_number
 from softlube.physical.inputs import declared
 
 Array = NDArray[np.floating]
@@ -36,7 +37,9 @@ NUMBERS = {
 FEW = 5
 """Lines named one by one in a notice."""
 
-_MINUS = str.maketrans({"−": "-", "\u00a0": None, "\u202f": None, "\u2009": None})
+_MINUS = str.maketrans("−–", "--")
+_UNUSUAL = re.compile(r"[^0-9eE+.\s-]")
+"""What `float` might take, but no number has: an underscore, digits of other scripts, "inf"."""
 _HEADER = re.compile(r"^(?P<name>[^\[\](){}/]*?)\s*(?:\[(?P<square>[^\]]*)\]|\((?P<round>.*)\)|/\s*(?P<slash>.+)|)\s*$")
 
 
@@ -125,7 +128,7 @@ def read_table(
         if again:
             notices.append(_notice("repeated and counted once:", again))
     by_column = list(zip(*rows, strict=True))
-    comma = separator != "," and _decimal_comma(path, header, found, by_column, where)
+    comma = _decimal_comma(path, found, by_column, where)
     lines_array = np.array(where)
     values: dict[str, Array] = {}
     for name, (index, factor) in found.items():
@@ -236,7 +239,7 @@ def _name_and_unit(cell: str) -> tuple[str, str | None]:
         return cell.strip(), None
     unit = next((match[group] for group in ("square", "round", "slash") if match[group] is not None), None)
     name = re.sub(r"[\s\-]+", "_", match["name"].strip().lower())
-    return _synonyms().get(name, name), unit if unit is None else unit.strip().strip("()")
+    return _synonyms().get(name, name), unit if unit is None else re.sub(r"^\((.*)\)$", r"\1", unit.strip())
 
 
 def _columns(
@@ -269,9 +272,9 @@ def _columns(
                 f"{path.name}, line {line}: {name} has no unit; expected one in the header, as in '{name} [{example}]'"
             )
         try:
-            found[name] = index, known.read(f"1 {unit}", name) if unit else 1.0
-        except InputError:
-            message = f"{name} cannot be in {unit!r}; expected a unit of {known.expected}"
+            found[name] = index, known.factor(unit) if unit else 1.0
+        except InputError as error:
+            message = f"{name} cannot be in {unit!r}; expected a unit of {known.expected} ({error})"
             raise InputError(f"{path.name}, line {line}: {message}") from None
     missing = [name for name in required if name not in found]
     if missing:
@@ -297,13 +300,9 @@ def _without_repeats(rows: list[list[str]], where: list[int]) -> tuple[list[list
 
 
 def _decimal_comma(
-    path: Path,
-    header: list[str],
-    found: Mapping[str, tuple[int, float]],
-    by_column: Sequence[Sequence[str]],
-    where: Sequence[int],
+    path: Path, found: Mapping[str, tuple[int, float]], by_column: Sequence[Sequence[str]], where: Sequence[int]
 ) -> bool:
-    """Whether commas are decimal signs; a file that has commas and points is refused."""
+    """Whether commas are decimal signs; refused if the file has points, too, or the commas may all part thousands."""
     first: dict[str, tuple[int, str]] = {}
     for index, _ in found.values():
         for mark in ".,":
@@ -317,12 +316,24 @@ def _decimal_comma(
             f"{path.name}, line {line}: {cell!r} here and {other!r} in line {other_line}: is the decimal sign a comma or a "
             "point? Use one of them, and no signs between thousands"
         )
-    return "," in first
+    if "," not in first:
+        return False
+    commas = (cell.strip() for index, _ in found.values() for cell in by_column[index] if "," in cell)
+    if all(map(THOUSANDS.fullmatch, commas)):
+        line, cell = first[","]
+        raise InputError(
+            f"{path.name}, line {line}: {cell!r}: the comma may part decimals or thousands; write "
+            f"{cell.replace(',', '.')!r} or {cell.replace(',', '')!r}"
+        )
+    return True
 
 
 def _numbers(path: Path, title: str, name: str, cells: Sequence[str], where: Sequence[int], comma: bool, signed: bool) -> Array:
+    pointed = [cell.replace(",", ".") for cell in cells] if comma else cells
     try:
-        values = np.array(list(map(float, cells)))
+        if _UNUSUAL.search("".join(pointed)):
+            raise ValueError
+        values = np.array(list(map(float, pointed)))
     except ValueError:
         values = np.array([_number(path, title, name, cell, where[i], comma) for i, cell in enumerate(cells)])
     impossible = np.isinf(values)
@@ -336,14 +347,14 @@ def _numbers(path: Path, title: str, name: str, cells: Sequence[str], where: Seq
 
 
 def _number(path: Path, title: str, name: str, cell: str, line: int, comma: bool) -> float:
-    text = cell.strip().translate(_MINUS)
-    if text.lower() in MISSING:
+    text = cell.strip()
+    if text.translate(_MINUS).lower() in MISSING:
         return np.nan
     try:
-        return float(text.replace(",", ".") if comma and text.count(",") == 1 else text)
-    except ValueError:
+        return read_number(text.replace(",", ".") if comma and text.count(",") == 1 else text)
+    except InputError as error:
         raise InputError(
-            f"{path.name}, line {line}: {name}: {cell.strip()!r} under {title!r} is no number (units belong in the header)"
+            f"{path.name}, line {line}: {name}: {text!r} under {title!r} is no number (units belong in the header): {error}"
         ) from None
 
 

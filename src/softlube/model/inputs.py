@@ -6,7 +6,7 @@ The command line, plans of sweeps, CSV headers, files and the documentation take
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple, SupportsFloat
 
 from softlube.errors import InputError
@@ -161,6 +161,32 @@ class Input:
             sign = "" if self.signed else "positive, "
             raise InputError(f"{name}: expected a {sign}finite quantity, {self.expected}; got {value!s}")
         return number
+
+    def read_all(self, values: Sequence[object]) -> list[Any]:
+        """Several values in SI, as `read` reads them.
+
+        Raises
+        ------
+        InputError
+            If one is not what the declaration says, or some are texts with a unit and others are numbers: who writes
+            ``["20 mN", 50]`` hardly means 50 N.
+        """
+        if self.unit and len({isinstance(value, str) for value in values}) > 1:
+            number = next(value for value in values if not isinstance(value, str))
+            raise InputError(f"{self.name}: {number!r} has no unit, and others have; give all of them a unit, or none (SI)")
+        return [self.read(value) for value in values]
+
+    def factor(self, unit: str) -> float:
+        """What a number in a unit is multiplied by to be in SI.
+
+        Raises
+        ------
+        InputError
+            If the text is no unit of the input's dimension.
+        """
+        from softlube.model import units
+
+        return units.unit_factor(unit, self.unit)
 
 
 def given(words: str, dimension: Dimension | None = None, example: str = "", **more: Any) -> Any:

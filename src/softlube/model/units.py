@@ -88,9 +88,11 @@ LONGEST = 100
 LEAST, GREATEST = 1e-290, 1e290
 """Magnitudes between which no digit is lost."""
 
-_DASHES = str.maketrans(dict.fromkeys("−–‐‑", "-"))
+THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
+"""A number whose comma may be a decimal sign or part thousands."""
+
+_DASHES = str.maketrans("−–‐‑", "----")
 _NUMBER = re.compile(r"([+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+))(?:[eE]([+-]?[0-9]{1,3}))?")
-_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
 _SUPERSCRIPTS = str.maketrans("⁻¹²³⁴", "-1234")
 _POWER = r"(?:\^|\*\*)?-?[1-9]|(?:\^|\*\*)\(-?[1-9]\)|⁻?[¹²³⁴]"
 _NAME = r"[^\W\d_⁰¹²³⁴-⁹½¼¾⅓⅔]+|[%‰°'\"]"
@@ -178,7 +180,7 @@ def _number(text: str) -> tuple[str, int, str]:
     digits = match[1]
     if digits.endswith(",") or re.match(r"[0-9.,'’_]", rest.removeprefix("1" if re.match("1 ?/", rest) else "")):
         raise InputError(f"cannot read {text!r}: {_meant(text)}")
-    if _THOUSANDS.fullmatch(digits):
+    if THOUSANDS.fullmatch(digits):
         point, none = (f"{digits.replace(',', mark)}{text[match.end(1) :]}" for mark in (".", ""))
         raise InputError(f"cannot read {text!r}: the comma may part decimals or thousands; write {point!r} or {none!r}")
     return digits.replace(",", "."), int(match[2] or 0), rest
@@ -277,6 +279,8 @@ def _meant(text: str) -> str:
         return "write the share as a number, such as 0.5 for 50 %"
     if "#" in text:
         return "a comment is not taken"
+    if re.match(r"[+-]?(?:inf|nan)", text, re.IGNORECASE):
+        return "expected a finite number"
     if not re.match(r"[+-]?[.,]?[0-9]", text):
         return "it does not begin with a number"
     if re.search(r"/[^/(]*[·⋅*. ]", re.sub(r" ?/ ?", "/", text)) and not re.search(r"/.*[0-9]", text):

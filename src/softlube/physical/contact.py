@@ -39,7 +39,7 @@ class Contact(Materials):
 
     Parts are given as objects, or by their inputs, from which they follow: a thickness makes the substrate a layer, a
     pressure-viscosity coefficient makes the liquid one of Barus, or of another law that is named.  Quantities take text with a
-    unit in any spelling pint knows ("2 mm", "3 MPa", "2 Pa s"), a pint quantity, or a number in SI.  Give exactly one of
+    unit ("2 mm", "3 MPa", "2 Pa s"; see `softlube.model.units`), a pint quantity, or a number in SI.  Give exactly one of
     `young_modulus` and `shear_modulus`, and exactly one of `load` and `indentation`.
 
     Parameters

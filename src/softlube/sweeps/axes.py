@@ -77,6 +77,8 @@ def _values(name: str, given: Any) -> list[Value]:
     if isinstance(given, (list, tuple)):
         if not given:
             raise InputError(f"{name}: the list is empty")
+        if not _is_text(name) and name not in DIMENSIONLESS:
+            return declared()[name].read_all(given)
         return [_value(name, item) for item in given]
     return [_value(name, given)]
 
@@ -111,7 +113,7 @@ def _range(name: str, given: Mapping[str, Any]) -> list[Value]:
         raise InputError(f"{name}: count: expected a whole number from 2 to {MOST_CASES}, got {count!r}")
     if spacing not in SPACINGS:
         raise InputError(f"{name}: spacing: expected 'log' or 'linear', got {spacing!r}")
-    low, high = (float(_value(name, given[end])) for end in ("from", "to"))
+    low, high = map(float, _values(name, [given["from"], given["to"]]))
     if spacing == "log" and low * high <= 0:
         raise InputError(f'{name}: from, to: expected values of one sign, or spacing = "linear"; got {low:g} and {high:g}')
     return [float(value) for value in SPACINGS[spacing](low, high, count)]
