@@ -23,7 +23,9 @@ def test_stribeck(tmp_path, capsys):
     assert (tmp_path / "s.png").read_bytes().startswith(b"\x89PNG")
     assert main(["stribeck", *common, "--slide-to-roll", "0", "--force", "couette", "--json"]) == 0
     captured = capsys.readouterr()
-    rows = json.loads(captured.out)
+    data = json.loads(captured.out)
+    rows = data["rows"]
+    assert data["inputs"]["load"] == {"value": [0.05], "unit": "N"}
     assert captured.err == ""
     assert [row["friction [N]"] for row in rows] == [0.0] * 5
     assert rows[0]["film_min [m]"] == pytest.approx(table["film_min [m]"][0], rel=1e-4)

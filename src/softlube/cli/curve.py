@@ -46,6 +46,7 @@ def curve(
     """
     import numpy as np
 
+    from softlube.cli.echo import echo, understood
     from softlube.errors import InputError
     from softlube.files.writing import check_destination, whole_file
     from softlube.model.problem import Problem
@@ -87,6 +88,8 @@ def curve(
 
         with whole_file(plot) as temporary:
             plot_curves(curves, symbol, (start, stop)).savefig(temporary, dpi=200)
+    if one:
+        print(echo(understood({symbol: float(place[0])})))
     _print(place, values, symbol, one)
     for path in (csv, plot):
         if path is not None:

@@ -82,6 +82,7 @@ def fit(
     """
     import json
 
+    from softlube.cli.echo import echo, understood
     from softlube.cli.progress import Bar
     from softlube.errors import InputError
     from softlube.files.writing import check_destination, whole_file
@@ -123,13 +124,16 @@ def fit(
         )
         if plot is not None:
             found.plot(plot)
-    text = json.dumps(found.to_dict(), allow_nan=False)
+    rig = {"radius": radius, "young_modulus": young_modulus, "viscosity": viscosity, "slide_to_roll": slide_to_roll}
+    inputs = understood(rig)
+    text = json.dumps({"inputs": inputs} | found.to_dict(), allow_nan=False)
     if output is not None:
         with whole_file(output) as temporary:
             temporary.write_text(text + "\n", encoding="utf-8")
     if as_json:
         print(text, flush=True)
     else:
+        print(echo(inputs))
         _report(found, [path for path in (output, plot) if path is not None])
     return 0
 

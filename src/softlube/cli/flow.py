@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated
 
 from cyclopts import Parameter
 
+from softlube.cli.echo import echo, understood
 from softlube.cli.inputs import GIVEN, PHYSICAL, one_contact, takes
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 
@@ -65,6 +67,11 @@ def flow(
     r, theta = np.meshgrid(np.linspace(0, 1.2, 481), np.linspace(0, np.pi, 181), indexing="ij")
     sphere, substrate = (float(np.max(np.abs(shear_stress(solved, r, theta, level=wall)[0]))) for wall in (1.0, 0.0))
     console = Console(highlight=False, soft_wrap=True)
+    given: Mapping[str, object] = physical or {"beta": beta}
+    if solution is not None:
+        name = "beta_load" if solved.problem.load_controlled else "beta"
+        given = {name: solved.problem.parameter} if solved.contact is None else solved.contact.inputs()
+    console.print(echo(understood(given)), markup=False)
     console.print(f"β = {solved.problem.parameter:.5g}, in the frame of the sphere", markup=False)
     unit = "δ" if solved.problem.load_controlled else "|h0|"
     units = (f"v {unit} a", f"ηv/{unit}")

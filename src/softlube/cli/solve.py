@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Group, Parameter
 
+from softlube.cli.echo import echo, understood
 from softlube.cli.inputs import PHYSICAL, takes
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 
@@ -105,12 +106,13 @@ def solve(
     solution = _solve(physical, {"beta": beta, "beta_load": beta_load}, cavitation, options, quiet=as_json)
     seconds = time.perf_counter() - began
     _write_files(solution, output, plot)
+    inputs = understood({"beta": beta, "beta_load": beta_load} | physical)
     if as_json:
         import json
 
-        print(json.dumps(solution.to_dict(), allow_nan=False), flush=True)
+        print(json.dumps({"inputs": inputs} | solution.to_dict(), allow_nan=False), flush=True)
     else:
-        _report(solution, seconds, [path for path in (output, plot) if path is not None])
+        _report(solution, echo(inputs), seconds, [path for path in (output, plot) if path is not None])
     return 0
 
 
@@ -145,11 +147,13 @@ def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: s
     dimensional = contact.dimensional(quantities) if contact is not None else {}
     doubts = contact.doubts(dimensional) if contact is not None else ()
     name = "beta_load" if problem.load_controlled else "beta"
+    inputs = understood(dimensionless | physical)
     if as_json:
         import json
 
         plain = {key: {"value": float(q), "error": q.error} for key, q in quantities.items()}
-        result: dict[str, Any] = {name: problem.parameter, "cavitation": cavitation, "method": "curve", "quantities": plain}
+        result: dict[str, Any] = {"inputs": inputs, name: problem.parameter, "cavitation": cavitation, "method": "curve"}
+        result["quantities"] = plain
         if contact is not None:
             result["dimensional"] = {
                 key: {"value": float(q), "error": q.error, "unit": q.unit} for key, q in dimensional.items()
@@ -161,6 +165,7 @@ def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: s
     from softlube.cli.table import solution_table
 
     console = Console(highlight=False, soft_wrap=True)
+    console.print(echo(inputs), markup=False)
     console.print(f"{name} = {problem.parameter:.5g}, read off the master curve: not solved", markup=False)
     console.print(solution_table(problem, quantities, dimensional), soft_wrap=False)
     for doubt in doubts:
@@ -186,12 +191,13 @@ def _write_files(solution: Solution, output: str | None, plot: str | None) -> No
 # --- what is printed --------------------------------------------------------------------------------------------------
 
 
-def _report(solution: Solution, seconds: float, files: Sequence[str]) -> None:
+def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str]) -> None:
     from rich.console import Console
 
     from softlube.cli.table import solution_table
 
     console = Console(highlight=False, soft_wrap=True)
+    console.print(inputs, markup=False)
     condition = "Reynolds condition" if solution.problem.cavitation == "reynolds" else "no cavitation condition"
     console.print(f"β = {solution.beta:.5g} (by the load: {solution.beta_load:.5g}), {condition}", markup=False)
     if solution.contact is None and solution.problem.load_controlled:

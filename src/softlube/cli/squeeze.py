@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Group, Parameter
 
+from softlube.cli.echo import echo, understood
 from softlube.cli.inputs import PHYSICAL, takes
 from softlube.model.motions import Sliding
 from softlube.physical.inputs import BODIES, Approach, StartOfSliding, names_of
@@ -90,10 +91,11 @@ def squeeze(
         if plot is not None:
             show("drawing")
             result.plot(plot)
+    inputs = understood(physical)
     if as_json:
         import json
 
-        print(json.dumps(result.to_dict(), allow_nan=False), flush=True)
+        print(json.dumps({"inputs": inputs} | result.to_dict(), allow_nan=False), flush=True)
         return 0
     seconds, written = time.perf_counter() - began, [path for path in (output, plot) if path is not None]
     if isinstance(result, Squeeze):
@@ -102,6 +104,7 @@ def squeeze(
         took += f"balance of volume to {result.run.volume_error:.0e}."
     else:
         remarks, took = [], f"{result.time.size} time steps on {result.angles[-1]} angles in {seconds:.1f} s."
+    print(echo(inputs))
     _report(result, " of sliding" if slides else "", remarks, [took, *(f"Wrote {path}" for path in written)])
     return 0
 

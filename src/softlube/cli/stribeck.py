@@ -90,6 +90,7 @@ def stribeck(
     as_json
         Print one JSON object and nothing else.
     """
+    from softlube.cli.echo import echo, understood
     from softlube.cli.progress import Bar
     from softlube.errors import InputError
     from softlube.experiments.load_curve import parse_region
@@ -142,6 +143,22 @@ def stribeck(
         from softlube.plots.experiments import plot_stribeck
 
         plot_stribeck(table, plot, against=against)
+    inputs = understood(
+        {
+            "radius": radius,
+            "young_modulus": young_modulus,
+            "viscosity": viscosity,
+            "poisson_ratio": poisson_ratio,
+            "ball_young_modulus": ball_young_modulus,
+            "ball_poisson_ratio": None if ball_young_modulus is None else ball_poisson_ratio,
+            "substrate_radius": substrate_radius,
+            "roughness": roughness,
+            "load": load,
+            "slowest": slowest,
+            "fastest": fastest,
+            "slide_to_roll": slide_to_roll,
+        }
+    )
     if as_json:
         import json
 
@@ -149,8 +166,9 @@ def stribeck(
         rows = [
             {name: None if value != value else value for name, value in row.items()} for row in table.to_dict(orient="records")
         ]
-        print(json.dumps(rows, allow_nan=False), flush=True)
+        print(json.dumps({"inputs": inputs, "rows": rows}, allow_nan=False), flush=True)
     else:
+        print(echo(inputs))
         _report(table, [path for path in (output, plot) if path is not None])
     return 0
 

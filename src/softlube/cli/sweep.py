@@ -49,6 +49,7 @@ def sweep(
     """
     from pathlib import Path
 
+    from softlube.cli.echo import echo, understood
     from softlube.cli.progress import Bar
     from softlube.errors import InputError
     from softlube.files.writing import check_destination
@@ -85,6 +86,7 @@ def sweep(
     save_table(table, table_path)
     written = result.save_fields(fields) if fields is not None else []
     warned = int((table["warnings"].fillna("") != "").sum()) if "warnings" in table else 0
+    print(echo(understood(cases.inputs())))
     _report(result, warned, table_path, store_path, written)
     return 3 if result.n_failed == len(result.keys) else 0
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from softlube.errors import InputError
 from softlube.sweeps.axes import COMBINATIONS, combined, read_axes
-from softlube.sweeps.tasks import Case, Kind
+from softlube.sweeps.tasks import Case, Kind, Value
 
 MOTIONS = {"steady": "steady:Steady", "squeeze": "approach:Approaches"}
 """How the sphere moves, and the room that has such cases.  Imported when wanted: a worker needs one of them at most."""
@@ -39,6 +39,14 @@ class Plan:
     accuracy: float
     sources: tuple[Path, ...] = ()
     notices: tuple[str, ...] = ()
+
+    def inputs(self) -> dict[str, Value | list[Value]]:
+        """Inputs by their names, in SI: the value that all cases have, or a list of the different ones in their order."""
+        values: dict[str, dict[Value, None]] = {}
+        for case in self.cases:
+            for name, value in case.inputs.items():
+                values.setdefault(name, {})[value] = None
+        return {name: list(each) if len(each) > 1 else next(iter(each)) for name, each in values.items()}
 
 
 def make_plan(
