@@ -14,11 +14,10 @@ from __future__ import annotations
 import argparse
 
 import softlube
-from softlube.discretization.measure import poiseuille_within
 from softlube.model.exact import HERTZ_PRESSURE
 from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, Liquid, RoelandsLaw
 from softlube.steady.refinements.spike.closeup import ANGLES, WIDTHS, close_ups
-from softlube.steady.refinements.spike.crest import DISCS, readings
+from softlube.steady.refinements.spike.crest import readings
 from softlube.steady.regime import Regime
 from softlube.theory.engineering import BETA_LOAD_OF_M, alpha_of_moes, moes_film
 
@@ -49,11 +48,11 @@ def main() -> None:
         quantity = solution.quantities[name]
         print(f"{name:18s} {quantity / scale:12.5f} ± {quantity.error / scale:.1g}")
 
-    poiseuille = {name: poiseuille_within(solution.fields, cutoff) for name, cutoff in DISCS.items()}
+    regime = Regime.of(solution.problem)
     print("nodes          cell    spike    radius   largest   friction over r <= a   minimum film   time/s")
     for angles in arguments.angles:
-        for seen in close_ups(Regime.of(solution.problem), solution.fields, arguments.widths, angles):
-            said = readings(seen, poiseuille)
+        for seen in close_ups(regime, solution.fields, arguments.widths, angles):
+            said = readings(seen, solution.fields, regime.edge_radius)
             rings, rays = seen.fields.pressure.shape
             print(
                 f"{rings:4d} x {rays}  {seen.cell:9.1e} {said['spike_pressure'].value / HERTZ_PRESSURE:8.4f} "

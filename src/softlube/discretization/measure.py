@@ -7,6 +7,7 @@ found between the nodes, and integrals are exact for the interpolated fields up 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -18,9 +19,14 @@ from softlube.model.quantities import BOUNDARY_LAYER_LEVEL
 Array = NDArray[np.floating]
 
 CONTACT = 1.0
-"""Cut-off radius of `load_contact` and `friction_contact`: the Hertz contact, as Eq. (27) is printed."""
+"""Cut-off radius of `load_contact` and `friction_contact` over the dry contact's: the contact, as Eq. (27) is printed."""
 DOMAIN = 2.0
-"""Cut-off radius of `friction_domain`: the paper's whole computational domain, where Eq. (28) comes from."""
+"""Cut-off radius of `friction_total` and `friction_domain` over the dry contact's: the paper's whole computational domain, from
+which Eq. (28) comes."""
+FRICTIONS = {"friction_total": (DOMAIN, -1.0), "friction_contact": (CONTACT, 1.0), "friction_domain": (DOMAIN, 1.0)}
+"""Frictions by name: the cut-off radius over the dry contact's, and the sign of the Poiseuille part.  Couette plus Poiseuille
+part is the shear on the ball, Eq. (27a).  Couette minus Poiseuille part is the shear on the substrate, which is the whole
+horizontal force on the ball: the pressure pushes the ball, too, and its resultant on an elastic substrate is vertical."""
 
 INLET_AXIS, OUTLET_AXIS = np.array([0.0]), np.array([np.pi])
 """Coordinate s of the two halves of the x axis: s = θ = 0 upstream, where the liquid enters, and π downstream."""
@@ -63,7 +69,7 @@ def _fine(nodes: Array, low: float, high: float, parts: int) -> Array:
     return np.concatenate([[low], cut[(cut > low) & (cut < high)], [high]])
 
 
-def integrate(fields: Fields, integrand: Callable[[Array, Array], Array], cutoff: float) -> float:
+def integrate(fields: Fields, integrand: Callable[[Array, Array], Array], cutoff: float) -> Any:
     """∫ f dA over the disc r ≤ cutoff, both halves.
 
     Parameters
@@ -71,7 +77,8 @@ def integrate(fields: Fields, integrand: Callable[[Array, Array], Array], cutoff
     fields : Fields
         Where to integrate.
     integrand : callable
-        f(ξ, s) on the product of two increasing arrays of chart coordinates, ξ > 0.
+        f(ξ, s) on the product of two increasing arrays of chart coordinates, ξ > 0; several functions are stacked along a
+        first axis.
     cutoff : float
         Radius, at most that of the fields' outermost node.
     """
@@ -86,7 +93,7 @@ def integrate(fields: Fields, integrand: Callable[[Array, Array], Array], cutoff
     s = np.linspace(0, np.pi, 4 * (fields.theta.size - 1) + 1)
     along = np.full(s.size, s[1]) * chart.dtheta_ds(s)
     along[[0, -1]] /= 2
-    return float(2 * across @ integrand(xi, s) @ along)
+    return 2 * across @ integrand(xi, s) @ along
 
 
 def load_within(fields: Fields, cutoff: float) -> float:
@@ -100,17 +107,32 @@ def friction_within(fields: Fields, cutoff: float) -> float:
     ∫ (3 ū ∂p̄/∂x + (η/η₀)/(βū)) dA.  The Couette part grows like ln(cutoff) as the film opens, so a friction is a number only
     together with its region.  Behind the free boundary the gap counts as full of liquid, as in the paper.
     """
+    return float(sum(friction_parts(fields, cutoff)))
 
-    def shear(xi: Array, s: Array) -> Array:
+
+def friction_parts(fields: Fields, cutoff: float) -> tuple[float, float]:
+    """Couette and Poiseuille part of the friction over r ≤ cutoff, in units of (2π/3) G h₀² (or of the unit of height squared).
+
+    Returns
+    -------
+    couette : float
+        ∫ (η/η₀)/(βū) dA, the drag of the sliding surface on either wall.
+    poiseuille : float
+        ∫ 3ū ∂p̄/∂x dA, which the pressure gradient adds to the shear on the sphere and takes from that on the substrate.
+    """
+
+    def parts(xi: Array, s: Array) -> Array:
         film = fields.film_spline(xi, s)
-        return 3 * film * fields.gradient_on(xi, s)[0] + fields.viscosity_on(xi, s) / (fields.beta * film)
+        return np.stack([fields.viscosity_on(xi, s) / (fields.beta * film), 3 * film * fields.gradient_on(xi, s)[0]])
 
-    return integrate(fields, shear, cutoff)
+    couette, poiseuille = integrate(fields, parts, cutoff)
+    return float(couette), float(poiseuille)
 
 
-def poiseuille_within(fields: Fields, cutoff: float) -> float:
-    """Poiseuille part of the friction force on the sphere over r ≤ cutoff, ∫ 3 ū ∂p̄/∂x dA; see `friction_within`."""
-    return integrate(fields, lambda xi, s: 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0], cutoff)
+def frictions(parts: Callable[[float], tuple[float, float]]) -> dict[str, float]:
+    """All of `FRICTIONS`, from the Couette and Poiseuille part as functions of the cut-off radius over the dry contact's."""
+    known = {cutoff: parts(cutoff) for cutoff in (CONTACT, DOMAIN)}
+    return {name: known[cutoff][0] + sign * known[cutoff][1] for name, (cutoff, sign) in FRICTIONS.items()}
 
 
 def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
@@ -132,11 +154,11 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
     fields : Fields
         Pressure and film of a solution.
     edge : float
-        Radius of the dry contact, from which the boundary layer is counted.
+        Radius a of the dry contact.
     """
     chart = fields.chart
     xi_nodes, s_nodes = chart.xi_of(fields.r), chart.s_of(fields.theta)
-    inside = float(chart.xi_of(min(DOMAIN, fields.r[-1])))
+    inside = float(chart.xi_of(min(DOMAIN * edge, fields.r[-1])))
     everywhere = float(xi_nodes[-1])
 
     def around(nodal: Array) -> tuple[Array, Array]:
@@ -173,20 +195,19 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
     slope = on_axis(0.0, inlet_slope, everywhere)[1]
     return {
         "load": fields.load,
-        "load_contact": load_within(fields, CONTACT),
+        "load_contact": load_within(fields, CONTACT * edge),
         "height": fields.height,
         "film_center": float(fields.film_at(0.0, 0.0)),
         "film_min": film_min,
         "film_min_radius": float(chart.r_of(xi_film)),
         "film_min_angle_deg": float(np.degrees(chart.theta_of(s_film))),
-        "film_inlet": float(fields.film_at(CONTACT, 0.0)),
+        "film_inlet": float(fields.film_at(CONTACT * edge, 0.0)),
         "film_outlet_min": outlet_min,
         "pressure_center": pressure_center,
         "pressure_max": pressure_max,
         "pressure_gradient_inlet": -slope,
         "boundary_layer": boundary_layer(fields, pressure_max, edge),
-        "friction_contact": friction_within(fields, CONTACT),
-        "friction_domain": friction_within(fields, min(DOMAIN, float(fields.r[-1]))),
+        **frictions(lambda cutoff: friction_parts(fields, min(cutoff * edge, float(fields.r[-1])))),
         "shear_rate_max": shear_rate_max,
     }
 

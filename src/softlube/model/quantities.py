@@ -226,10 +226,18 @@ STEADY = _table(
         exponent=-2 / 5,
     ),
     Definition(
-        "friction_contact", "friction force over r ≤ a", "F_a", "friction", "27a", free_boundary_error=0.07, exponent=-2 / 5
+        "friction_total",
+        "friction force on the ball, total, over r ≤ 2a",
+        "F",
+        "friction",
+        free_boundary_error=0.08,
+        exponent=-2 / 5,
     ),
     Definition(
-        "friction_domain", "friction force over r ≤ 2a", "F", "friction", "28", free_boundary_error=0.08, exponent=-2 / 5
+        "friction_contact", "shear on the ball over r ≤ a", "F_a", "friction", "27a", free_boundary_error=0.07, exponent=-2 / 5
+    ),
+    Definition(
+        "friction_domain", "shear on the ball over r ≤ 2a", "F_2a", "friction", "28", free_boundary_error=0.08, exponent=-2 / 5
     ),
     Definition(
         "shear_rate_max",

@@ -28,6 +28,7 @@ FREE_BOUNDARY_GAP = {
     "pressure_max": 0.55,
     "pressure_gradient_inlet": 0.71,
     "boundary_layer": 0.21,
+    "friction_total": 0.36,
     "friction_contact": 0.36,
     "friction_domain": 0.36,
 }

@@ -119,7 +119,7 @@ class Regime:
 
     @property
     def edge_radius(self) -> float:
-        """Radius of the dry contact, from which the inlet's boundary layer is counted; the unit of length over a gap."""
+        """Radius a of the dry contact, over which loads and frictions are taken; the unit of length over a prescribed gap."""
         return 1.0 if self.problem.height >= 0 else self.dry.radius
 
     @cached_property

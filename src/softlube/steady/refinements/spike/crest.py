@@ -10,7 +10,7 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from softlube.discretization.fields import Fields
-from softlube.discretization.measure import CONTACT, DOMAIN, boundary_layer, friction_within, poiseuille_within
+from softlube.discretization.measure import FRICTIONS, boundary_layer, friction_parts, frictions
 from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.error_estimate import LARGEST_ERROR, yardstick
@@ -28,15 +28,7 @@ Array = NDArray[np.floating]
 
 AHEAD = 20, 3
 """Nodes ahead of the fall from whose pressures the height is taken, the furthest and the nearest."""
-DISCS = {"friction_contact": CONTACT, "friction_domain": DOMAIN}
-"""Cut-off radii of the frictions."""
-LEAST_ERROR = {
-    "spike_pressure": 6e-3,
-    "spike_radius": 2e-4,
-    "friction_contact": 4e-3,
-    "friction_domain": 4e-3,
-    "boundary_layer": 1e-3,
-}
+LEAST_ERROR = {"spike_pressure": 6e-3, "spike_radius": 2e-4, "boundary_layer": 1e-3} | dict.fromkeys(FRICTIONS, 4e-3)
 """Relative errors that these meshes leave, measured against 45 angles and cells half as wide (benchmarks/spike_sphere.py)."""
 OF_WHAT_GRIDS_MISS = 0.1
 """Least error of a friction, over the part of it that the contact's own grids miss."""
@@ -100,17 +92,19 @@ def crest(fields: Fields, angle: int, fall: int) -> Crest:
     return Crest(float(coefficients[0]), middle, residual, float(ahead - behind), column)
 
 
-def readings(seen: CloseUp, poiseuille: Mapping[str, float]) -> dict[str, Reading]:
+def readings(seen: CloseUp, fields: Fields, edge: float) -> dict[str, Reading]:
     """What one close-up says.
 
     Parameters
     ----------
     seen : CloseUp
         The close-up.
-    poiseuille : mapping of str to float
-        Poiseuille parts of the frictions, which the spike does not decide.
+    fields : Fields
+        Solution on the contact's own grid, which gives the Poiseuille parts of the frictions: they do not depend on the spike.
+    edge : float
+        Radius of the dry contact.
     """
-    fields = seen.fields
+    own, fields = fields, seen.fields
     outlet = np.flatnonzero(fields.theta > np.pi / 2)
     crests = [crest(fields, int(k), int(seen.fall[k])) for k in outlet]
     axis, highest = crests[-1], max(crests, key=lambda each: each.pressure)
@@ -126,11 +120,14 @@ def readings(seen: CloseUp, poiseuille: Mapping[str, float]) -> dict[str, Readin
     }
     mended = fields.pressure.copy()
     mended[:, outlet] = np.column_stack([each.column for each in crests])
-    for name, cutoff in DISCS.items():
-        # The nodes as they are put too much liquid under high pressure; a profile on wide cells, too little.
-        much, little = (couette_within(seen, pressure, cutoff) for pressure in (fields.pressure, mended))
-        value = (much + little) / 2 + poiseuille[name]
-        result[name] = Reading(value, max(abs(much - little) / 2, LEAST_ERROR[name] * value))
+    # The nodes as they are put too much liquid under high pressure; a profile on wide cells, too little.
+    much, little = (
+        frictions(lambda cutoff, p=pressure: (couette_within(seen, p, cutoff * edge), friction_parts(own, cutoff * edge)[1]))
+        for pressure in (fields.pressure, mended)
+    )
+    for name in FRICTIONS:
+        value = (much[name] + little[name]) / 2
+        result[name] = Reading(value, max(abs(much[name] - little[name]) / 2, LEAST_ERROR[name] * value))
     return result
 
 
@@ -205,11 +202,10 @@ def resolve_spike(regime: Regime, fields: Fields, progress: Listener | None = No
     progress : callable, optional
         Called with a `softlube.solvers.progress.Progress` after each mesh.
     """
-    poiseuille = {name: poiseuille_within(fields, cutoff) for name, cutoff in DISCS.items()}
     seen, said = [], []
     for each in close_ups(regime, fields):
         seen.append(each)
-        said.append(readings(each, poiseuille))
+        said.append(readings(each, fields, regime.edge_radius))
         if progress is not None:
             shape = " x ".join(map(str, each.fields.pressure.shape))
             progress(Progress(f"{shape} nodes about the spike solved in {each.seconds:.2f} s", len(seen)))
@@ -217,9 +213,9 @@ def resolve_spike(regime: Regime, fields: Fields, progress: Listener | None = No
     if len(seen) < len(WIDTHS) or abs(np.min(seen[-1].fields.film) - lowest) > SAME_FILM * lowest:
         return {}
     found = {name: _settled([each[name] for each in said[1:]]) for name in said[-1]}
-    for name, cutoff in DISCS.items():
-        missed = OF_WHAT_GRIDS_MISS * abs(found[name] - friction_within(fields, cutoff))
-        found[name] = Quantity(found[name], max(found[name].error, missed))
+    on_grid = frictions(lambda cutoff: friction_parts(fields, cutoff * regime.edge_radius))
+    for name, value in on_grid.items():
+        found[name] = Quantity(found[name], max(found[name].error, OF_WHAT_GRIDS_MISS * abs(found[name] - value)))
     found["boundary_layer"] = _layer(fields, found["pressure_max"], regime.edge_radius)
     return {name: each for name, each in found.items() if each.error <= LARGEST_ERROR * yardstick(name, found)}
 
@@ -272,7 +268,7 @@ def in_other_unit(
     """
     result = {name: QUANTITIES[name].unit.rescaled(own[name], unit) for name in SPIKE_QUANTITIES if name in own}
     result["pressure_max"] = _at_least(values["pressure_center"], result["pressure_max"])
-    for name in DISCS:
+    for name in FRICTIONS:
         # The disc is another one, but both hold the spike, and so the part that the grid has missed.
         missed = QUANTITIES[name].unit.rescaled(Quantity(own[name] - on_grid[name], own[name].error), unit)
         result[name] = Quantity(values[name] + missed, missed.error)

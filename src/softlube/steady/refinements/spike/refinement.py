@@ -9,6 +9,7 @@ from typing import ClassVar
 
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
+from softlube.discretization.measure import FRICTIONS
 from softlube.model.quantities import Quantity
 from softlube.solvers.progress import Listener
 from softlube.steady.error_estimate import SMOOTH, Convergence
@@ -27,7 +28,7 @@ from softlube.steady.refinements.spike.detection import (
 )
 from softlube.steady.regime import Regime
 
-DETERMINED = ("pressure_max", "boundary_layer", "friction_contact", "friction_domain")
+DETERMINED = ("pressure_max", "boundary_layer", *FRICTIONS)
 """Quantities that the tip of a pressure spike determines, or the viscosity in it."""
 FIRST_ANGLES = 18
 """Angular intervals of the coarsest grid that sees where the spike will stand."""
