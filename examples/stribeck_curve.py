@@ -16,7 +16,7 @@ plot_stribeck(table, "stribeck_curve.png")
 # %%
 # The film grows like the speed to the power 0.6 and the friction to the power 0.4: thicker films shear less, but faster.
 
-columns = ["load [N]", "entrainment_speed [m/s]", "friction_coefficient", "film_min [m]", "lambda", "lubrication"]
+columns = ["load [N]", "entrainment_speed [m/s]", "friction_coefficient", "film_min [m]", "lambda_ratio", "lubrication"]
 print(table[columns].iloc[::10].to_string(index=False))
 
 # %%

@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from softlube.errors import InputError, NotConvergedError, SoftlubeError
+    from softlube.errors import InputError, NotConvergedError, SoftlubeError, ValidityWarning
     from softlube.experiments.approach import slide, squeeze
     from softlube.experiments.fit import fit
     from softlube.experiments.measurements import Measurements, read_measurements
@@ -55,6 +55,7 @@ _NAMES = {
     "SoftlubeError": "errors",
     "Solution": "steady.solution",
     "Squeeze": "transient.squeeze.result",
+    "ValidityWarning": "errors",
     "fit": "experiments.fit",
     "load": "files.netcdf",
     "read_history": "files.histories",

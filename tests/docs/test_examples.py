@@ -26,7 +26,7 @@ def test_first_contact(tmp_path, monkeypatch):
 def test_stribeck_curve(tmp_path, monkeypatch):
     names = run("stribeck_curve", tmp_path, monkeypatch)
     assert names["both"].reduced_modulus == pytest.approx(names["rig"].reduced_modulus / 2)
-    assert (names["table"]["lambda"].diff().dropna() > 0).sum() == 90  # grows with the speed, for every load
+    assert (names["table"]["lambda_ratio"].diff().dropna() > 0).sum() == 90  # grows with the speed, for every load
     assert (tmp_path / "stribeck_curve.png").exists()
 
 

@@ -33,7 +33,7 @@ def test_ratio_two_with_the_substrate_at_rest_is_the_paper_s_case(sliding, row):
         assert values[column] == pytest.approx(exact, rel=5e-3 if name == "film_min" else 1e-3)
         assert error < 0.02 * exact
     assert values["friction_coefficient"] == pytest.approx(values["friction [N]"] / values["load [N]"])
-    assert values["lambda"] == pytest.approx(values["film_min [m]"] / 50e-9)
+    assert values["lambda_ratio"] == pytest.approx(values["film_min [m]"] / 50e-9)
 
 
 def test_the_film_does_not_depend_on_which_surface_moves_and_the_couette_part_goes_with_the_ratio():
@@ -57,7 +57,7 @@ def test_pure_rolling_has_no_couette_friction():
 
 
 def test_regimes_by_roughness(sliding):
-    ratio = sliding["lambda"]
+    ratio = sliding["lambda_ratio"]
     assert set(sliding["lubrication"]) == {"mixed", "full film"}
     assert (ratio[sliding["lubrication"] == "full film"] >= 3).all()
     assert (ratio[sliding["lubrication"] == "mixed"] < 3).all()

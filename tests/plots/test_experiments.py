@@ -57,7 +57,7 @@ def table():
             "friction_coefficient": -0.01 * v**0.5,
             "film_center [m]": 2e-7,
             "film_min [m]": 1e-7,
-            "lambda": 2.0,
+            "lambda_ratio": 2.0,
         }
         for load in (0.05, 0.1)
         for v in speed

@@ -60,7 +60,9 @@ app.command(
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit code: 0 done, 2 bad input, 3 not converged."""
-    from softlube.errors import InputError, NotConvergedError
+    import warnings
+
+    from softlube.errors import InputError, NotConvergedError, ValidityWarning
 
     if arguments is None:
         # One short job: looking for cycles in what the imports make costs more than it frees.
@@ -72,12 +74,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     given = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        result = app(
-            given,
-            exit_on_error=False,
-            print_error=False,
-            result_action="return_value",
-        )
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # the commands print the doubts themselves
+            result = app(
+                given,
+                exit_on_error=False,
+                print_error=False,
+                result_action="return_value",
+            )
     except UnknownOptionError as error:
         return _complain(_unknown(error, (*given, "")[0]), EXIT_INPUT)
     except CycloptsError as error:

@@ -203,6 +203,12 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
     if solution.contact is None and solution.problem.load_controlled:
         console.print("δ is the Hertz indentation of the load, Eq. (29).")
     console.print(solution_table(solution.problem, solution.quantities, solution.dimensional), soft_wrap=False)
+    console.print(_region(solution), markup=False)
+    if "lambda_ratio" in solution.dimensional:
+        from softlube.physical.roughness import lubrication
+
+        ratio = float(solution.dimensional["lambda_ratio"])
+        console.print(f"Minimum film over roughness λ = {ratio:.3g}: {lubrication(ratio)} lubrication (full film from 3 on).")
     sizes = ", ".join(f"{level.n_r} × {level.n_theta}" for level in solution.levels)
     steps = " + ".join(str(sum(record.count for record in level.history)) for level in solution.levels)
     what = "Newton steps" if solution.method == "newton" else f"sweeps of the paper's method ({solution.method})"
@@ -221,3 +227,23 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
         console.print(f"[bold yellow]Warning:[/] {doubt}.")
     for path in files:
         console.print(f"Wrote {path}", markup=False)
+
+
+def _region(solution: Solution) -> str:
+    """How the total friction depends on the region over which it is counted."""
+    from softlube.discretization.measure import DOMAIN
+    from softlube.readout.friction import total_within
+    from softlube.steady.regime import Regime
+
+    counted = float(solution.quantities["friction_total"])
+    if counted != counted:  # a spike that no grid resolves
+        return "The friction is not given, see the warning."
+    edge = Regime.of(solution.problem).edge_radius
+    more = [f"over r ≤ {2 * DOMAIN:g}a {total_within(solution, 2 * DOMAIN * edge) / counted - 1:+.1%}"]
+    if solution.contact is not None:
+        radius = solution.contact.radius / solution.contact.unit_length
+        more.append(f"over r ≤ R about {total_within(solution, radius) / counted - 1:+.0%}")
+    return (
+        f"A force sensor reads the total friction, over all the liquid in the gap: here r ≤ {DOMAIN:g}a; {', '.join(more)}. "
+        "The shear on the ball alone is the paper's friction, Eq. (27a)."
+    )

@@ -184,7 +184,7 @@ def _report(table: pandas.DataFrame, files: list[str]) -> None:
         shown = rows.iloc[np.unique(np.linspace(0, len(rows) - 1, SHOWN).round().astype(int))]
         grid = Table(box=box.SIMPLE_HEAD, pad_edge=False, title=f"load {1e3 * float(str(load)):.4g} mN", title_justify="left")
         columns = ["speed mm/s", "Hersey", "β", "friction", "centre nm", "least nm"]
-        for column in [*columns, *(["λ"] if "lambda" in rows else [])]:
+        for column in [*columns, *(["λ"] if "lambda_ratio" in rows else [])]:
             grid.add_column(column, justify="right", no_wrap=True)
         for _, row in shown.iterrows():
             cells = [
@@ -194,7 +194,7 @@ def _report(table: pandas.DataFrame, files: list[str]) -> None:
                 f"{row['friction_coefficient']:.4g}",
                 f"{1e9 * row['film_center [m]']:.4g}",
                 f"{1e9 * row['film_min [m]']:.4g}",
-                *([f"{row['lambda']:.3g}"] if "lambda" in rows else []),
+                *([f"{row['lambda']:.3g}"] if "lambda_ratio" in rows else []),
             ]
             grid.add_row(*(("-" if cell == "nan" else cell) for cell in cells))
         console.print(grid, soft_wrap=False)

@@ -61,7 +61,8 @@ def solution_table(problem: Problem, quantities: Mapping[str, Quantity], dimensi
     if physical:
         radius = DERIVED["contact_radius"]
         row(DERIVED["indentation"].words, *engineering(dimensional["indentation"]))
-        row(f"{radius.words} {radius.unit.formula.format(unit_of_height)}", *engineering(dimensional["contact_radius"]))
+        if "contact_radius" in dimensional:
+            row(radius.words, *engineering(dimensional["contact_radius"]))
     for name, definition in (STEADY | SPIKE).items():
         if name not in quantities:
             continue
@@ -70,7 +71,9 @@ def solution_table(problem: Problem, quantities: Mapping[str, Quantity], dimensi
             continue  # the input, or the indentation above
         unit = definition.unit.formula.format(unit_of_height)
         if definition.place:
-            row(f"  {definition.place}", *rounded(float(quantity), quantity.error), unit.split(" = ")[0])
+            where = dimensional.get(name)  # an angle is no SI value
+            shown = rounded(float(quantity), quantity.error)
+            row(f"  {definition.place}", *((*shown, unit) if where is None else engineering(where)))
         elif physical:
             row(definition.words, *engineering(dimensional[name]))
         else:

@@ -13,6 +13,7 @@ from softlube.experiments.load_curve import LoadCurve, check_friction, load_curv
 from softlube.model.quantities import header
 from softlube.physical.inputs import declared
 from softlube.physical.rig import Rig, hertz_force
+from softlube.physical.roughness import lubrication
 from softlube.physical.units import to_si
 from softlube.solvers.progress import Listener
 
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
 WIDE = (1e-2, 1e6)
 """Range of β_load that a curve covers, as far as it can be solved, where no speeds are given."""
 MOST_POINTS = 10_000
-FULL_FILM, MIXED = 3.0, 1.0
-"""Ratio λ of least film to roughness above which the surfaces are apart, and below which they carry most of the load."""
 
 
 def stribeck_curve(
@@ -144,8 +143,6 @@ def _rows(
         data[header(name, "m", error=True)] = film * curve.relative_error(name, betas)
     if roughness is not None:
         ratio = data["film_min [m]"] / roughness
-        data["lambda"] = ratio
-        data["lubrication"] = np.select(
-            [np.isnan(ratio), ratio >= FULL_FILM, ratio >= MIXED], ["", "full film", "mixed"], "boundary"
-        )
+        data["lambda_ratio"] = ratio
+        data["lubrication"] = [lubrication(each) for each in ratio]
     return pd.DataFrame(data)

@@ -76,7 +76,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     }
     chart = fields.chart
     attributes = {
-        "title": "Lubricated sliding of a rigid sphere on an elastic half-space",
+        "title": f"Lubricated sliding of a rigid sphere on {solution.problem.substrate.words}",
         "softlube_version": version("softlube"),
         "method": solution.method,
         "beta": solution.beta,

@@ -6,12 +6,14 @@ Text with units goes in, floats in SI come out; `softlube.model.inputs` reads it
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from softlube.errors import InputError, ValidityWarning
 from softlube.model.inputs import exactly_one, read
 from softlube.model.liquids.newtonian import NewtonianLaw
 from softlube.model.motions import Sliding
@@ -24,11 +26,15 @@ from softlube.physical.inputs import SLIDING_BODIES, Loading, Taking, check_name
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
     LARGEST_SLOPE,
+    LARGEST_TRACTION,
+    NEWTONIAN_STRESS,
     Materials,
     dry_effect,
     layer_doubt,
 )
+from softlube.physical.roughness import FULL_FILM, lambda_ratio, lubrication
 from softlube.solvers.progress import Listener
+from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
 
@@ -111,15 +117,33 @@ class Contact(Materials):
         return math.sqrt(self.radius * self.unit_height)
 
     def problem(self) -> Problem:
-        """The dimensionless problem, Eq. (6d) or (30)."""
+        """The dimensionless problem, Eq. (6d) or (30).
+
+        Raises
+        ------
+        InputError
+            If the contact would be wider than the sphere.
+        """
         height = self.unit_height
         beta = self.beta(height, self.speed)
         models: dict[str, Any] = {"substrate": self.substrate_for(height), "liquid": self.liquid_for(height)}
         if self.load is not None:
-            return Problem(beta_load=beta, cavitation=self.cavitation, **models)
-        assert self.indentation is not None
-        sign = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
-        return Problem(beta=beta, cavitation=self.cavitation, height=sign, **models)
+            problem = Problem(beta_load=beta, cavitation=self.cavitation, **models)
+        else:
+            assert self.indentation is not None
+            sign = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
+            problem = Problem(beta=beta, cavitation=self.cavitation, height=sign, **models)
+        if (radius := self._dry_radius(problem)) > self.radius:
+            name = "load" if self.load is not None else "indentation"
+            raise InputError(
+                f"{name}: makes a contact of radius {radius / self.radius:.2g} R, wider than the sphere; the model is for "
+                f"contacts up to about {LARGEST_SLOPE} R. Check the units of radius, modulus and {name}"
+            )
+        return problem
+
+    def _dry_radius(self, problem: Problem) -> float:
+        """Radius of the dry contact on the substrate [m]; 0 where a gap is prescribed."""
+        return 0.0 if problem.height >= 0 else Regime.of(problem).edge_radius * self.unit_length
 
     def solve(self, *, accuracy: float = 1e-3, method: str = "newton", progress: Listener | None = None) -> Solution:
         """Solve the contact.
@@ -152,7 +176,10 @@ class Contact(Materials):
     def interpret(self, solution: Solution) -> Solution:
         """A dimensionless solution of `problem` with SI quantities and warnings added."""
         dimensional = self.dimensional(solution.quantities)
-        return replace(solution, contact=self, dimensional=dimensional, warnings=solution.warnings + self.doubts(dimensional))
+        doubts = self.doubts(dimensional)
+        for doubt in doubts:
+            warnings.warn(doubt, ValidityWarning, stacklevel=3)
+        return replace(solution, contact=self, dimensional=dimensional, warnings=solution.warnings + doubts)
 
     def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
         """Quantities of `problem` in SI, Eqs. (4) and (26)."""
@@ -166,13 +193,16 @@ class Contact(Materials):
                 result[name] = quantity.scaled(units[row.dimension], row.unit.si)
         if self.load is not None:
             result["load"] = Quantity(self.load, 0.0, "N")
-        friction, load = result["friction_domain"], result["load"]
+        friction, load = result["friction_total"], result["load"]
         coefficient = friction / load
         result["indentation"] = Quantity(-height * float(quantities["height"]), height * quantities["height"].error, "m")
-        result["contact_radius"] = Quantity(length, 0.0, "m")
+        if radius := self._dry_radius(self.problem()):
+            result["contact_radius"] = Quantity(radius, 0.0, "m")
         result["friction_coefficient"] = Quantity(
             coefficient, abs(coefficient) * (friction.error / abs(friction) + load.error / abs(load))
         )
+        if self.roughness is not None:
+            result["lambda_ratio"] = lambda_ratio(result, self.roughness)
         return result
 
     def doubts(self, dimensional: Mapping[str, Quantity]) -> tuple[str, ...]:
@@ -181,17 +211,23 @@ class Contact(Materials):
         gap = max(-float(dimensional["indentation"]), 0.0)
         lifted = gap > 0
         # Over a gap the pressure is as wide as the parabola stays close.
-        radius = math.sqrt(2 * self.radius * gap) if lifted else float(dimensional["contact_radius"])
+        radius = math.sqrt(2 * self.radius * gap) if lifted else float(dimensional.get("contact_radius", self.unit_length))
         if radius > LARGEST_SLOPE * self.radius:
             doubts.append(
                 f"the {'pressure reaches' if lifted else 'contact radius is'} {radius / self.radius:.2g} R: beyond "
                 f"{LARGEST_SLOPE} R linear elasticity and the parabolic sphere are in doubt"
             )
-        # The minimum may be missing, where it is much below the outlet's.
-        film = float(np.nanmin([dimensional["film_min"], dimensional["film_outlet_min"]]))
-        if self.roughness is not None and film < self.roughness:
+        if self.roughness is not None and (ratio := float(dimensional["lambda_ratio"])) < FULL_FILM:
             doubts.append(
-                f"the minimum film, {film:.2g} m, is below the roughness, {self.roughness:.2g} m: the surfaces may touch"
+                f"the minimum film is {ratio:.2g} times the roughness ({lubrication(ratio)} lubrication, full film from "
+                f"{FULL_FILM:g} on): asperities touch, which the model leaves out"
+            )
+        stress = float(dimensional["friction_contact"]) / (math.pi * radius**2)
+        share = float(dimensional["friction_contact"] / dimensional["load_contact"])
+        if not lifted and share > LARGEST_TRACTION and stress > NEWTONIAN_STRESS:
+            doubts.append(
+                f"the mean shear stress, {stress:.2g} Pa, is {share:.2g} times the mean pressure: above {LARGEST_TRACTION} no "
+                "liquid stays Newtonian, it shears at a limiting stress instead; do not trust the friction"
             )
         center = float(dimensional["film_center"])
         reynolds = self.density * self.speed * center**2 / (self.viscosity * radius)
@@ -215,7 +251,7 @@ class Contact(Materials):
             from softlube.theory import master_curve as curve
 
             solid = half_space.dimensional(curve.quantities(problem))
-            names = {"film_center": "film at the centre", "film_min": "minimum film", "friction_domain": "friction"}
+            names = {"film_center": "film at the centre", "film_min": "minimum film", "friction_total": "friction"}
             for name, text in names.items():
                 ours, theirs = dimensional[name], solid[name]
                 if np.isfinite(ours):

@@ -21,6 +21,10 @@ from softlube.model.substrates.layer import LayerKernel
 
 LARGEST_SLOPE = 0.3
 LARGEST_FILM_REYNOLDS = 0.1
+LARGEST_TRACTION, NEWTONIAN_STRESS = 0.1, 1e6
+"""Mean shear stress over mean pressure that no liquid exceeds under high pressure, and shear stress [Pa] below which the bound
+does not matter: limiting stresses are 4 to 10 % of the pressure (Bair & Winer 1979), Eyring stresses some MPa (Johnson &
+Tevaarwerk 1977)."""
 SMALLEST_RISE = 0.01
 LARGEST_LAYER_EFFECT = 0.05
 """Relative change by the finite thickness that is spoken of."""
@@ -146,7 +150,7 @@ def layer_doubt(dry: DryContact, substrate: LayerKernel, changes: Mapping[str, t
         return []
     effects = ", ".join(f"{text} {_in_per_cent(*change)}" for text, change in changes.items())
     thickness = substrate.thickness / dry.radius
-    return [f"the layer is {thickness:.2g} contact radii thick; compared with a half-space that changes: {effects}"]
+    return [f"the layer is {thickness:.2g} radii of its dry contact thick; compared with a half-space that changes: {effects}"]
 
 
 def _in_per_cent(change: float, error: float) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 
 from softlube.experiments.friction_model import PAPER_FIT
 from softlube.files.writing import check_destination, whole_file
+from softlube.physical.roughness import FULL_FILM
 from softlube.plots.solution import check_format
 
 if TYPE_CHECKING:
@@ -116,16 +117,21 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
         friction, film = figure.subplots(1, 2)
         for number, (load, rows) in enumerate(table.groupby("load [N]", sort=False)):
             colour = COLOURS[number % len(COLOURS)]
-            coefficient = np.abs(rows["friction_coefficient"])
-            friction.plot(rows[column], coefficient, color=colour, lw=1.2, label=f"{1e3 * float(str(load)):.4g} mN")
-            film.plot(rows[column], 1e9 * rows["film_center [m]"], color=colour, lw=1.2)
-            film.plot(rows[column], 1e9 * rows["film_min [m]"], "--", color=colour, lw=1.2)
-            if "lambda" in rows and not number:
-                height = float((rows["film_min [m]"] / rows["lambda"]).dropna().iloc[0])
-                film.axhline(3e9 * height, color="0.5", lw=0.8, ls=":")
+            full = rows["lambda_ratio"] >= FULL_FILM if "lambda_ratio" in rows else np.isfinite(rows[column])
+            name = f"{1e3 * float(str(load)):.4g} mN"
+            for axes, style, values in (
+                (friction, "-", np.abs(rows["friction_coefficient"])),
+                (film, "-", 1e9 * rows["film_center [m]"]),
+                (film, "--", 1e9 * rows["film_min [m]"]),
+            ):
+                axes.plot(rows[column], values, style, color="0.75", lw=1.2)
+                axes.plot(rows[column], np.where(full, values, np.nan), style, color=colour, lw=1.2, label=name)
+            if "lambda_ratio" in rows and not number:
+                height = float((rows["film_min [m]"] / rows["lambda_ratio"]).dropna().iloc[0])
+                film.axhline(1e9 * FULL_FILM * height, color="0.5", lw=0.8, ls=":")
         friction.set(xscale="log", yscale="log", xlabel=label, ylabel="friction coefficient (magnitude)")
         film.set(xscale="log", yscale="log", xlabel=label, ylabel="film [nm]: centre (full), least (dashed)")
-        if "lambda" in table:
-            film.set_title("dotted: λ = 3", loc="right", fontsize=7)
+        if "lambda_ratio" in table:
+            film.set_title(f"dotted: λ = {FULL_FILM:g}; grey: no full film", loc="right", fontsize=7)
         friction.legend()
         return _write(figure, path)

@@ -9,9 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from softlube.errors import InputError
-from softlube.model.exact import hertz_pressure
+from softlube.model.dry import DryContact
 from softlube.model.quantities import FIELDS, QUANTITIES
+from softlube.model.substrates import HalfSpaceKernel
+from softlube.physical.roughness import FULL_FILM
 from softlube.physical.units import prefixed
+from softlube.steady.regime import Regime
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -66,9 +69,10 @@ def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
 
     film_factor, film_unit = prefixed(float(dimensional["film_center"]), "m")
     pressure_factor, pressure_unit = prefixed(_highest(solution) * scale("pressure_center"), "Pa")
-    length_factor, length_unit = prefixed(float(dimensional["contact_radius"]) * _width(solution), "m")
+    unit_length = solution.contact.unit_length
+    length_factor, length_unit = prefixed(unit_length * _width(solution), "m")
     return (
-        float(dimensional["contact_radius"]) * length_factor,
+        unit_length * length_factor,
         f" [{length_unit}]",
         scale("film_center") * film_factor,
         _label("film", film_unit),
@@ -98,10 +102,16 @@ def _width(solution: Solution) -> float:
     return max(1.0, 0.9 * np.sqrt(2 * float(solution.quantities["film_center"])))
 
 
+def _dry(solution: Solution) -> DryContact | None:
+    """The dry contact on the solution's substrate; None where the film is thicker than a contact is deep."""
+    return Regime.of(solution.problem).dry if _width(solution) == 1 else None
+
+
 def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figure:
     """Maps of film and pressure, and their profiles in the two mid-planes.
 
-    The inlet is on the right, as in the paper: the sphere slides in the direction +x.
+    The inlet is on the right, as in the paper: the sphere slides in the direction +x.  Dashed circle and dotted line: the dry
+    contact on the substrate.  Where a roughness is given, films below three times the roughness are grey.
 
     Parameters
     ----------
@@ -140,7 +150,7 @@ def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figu
 
 
 def _map(ax: Axes, solution: Solution, field: str) -> None:
-    """One field over the plane, with the Hertz contact as a circle."""
+    """One field over the plane, with the dry contact on the substrate as a dashed circle."""
     from matplotlib.ticker import MaxNLocator
 
     length, length_label, film, film_label, pressure, pressure_label = _scales(solution)
@@ -168,9 +178,10 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
         mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap="magma")
         label = pressure_label
     mesh.set_edgecolor("face")
-    if _width(solution) == 1:
+    dry = _dry(solution)
+    if dry is not None:
         angle = np.linspace(0, 2 * np.pi, 200)
-        ax.plot(np.cos(angle) * length, np.sin(angle) * length, "--", color="white", lw=0.7)
+        ax.plot(dry.radius * np.cos(angle) * length, dry.radius * np.sin(angle) * length, "--", color="white", lw=0.7)
     ax.annotate(
         "inlet",
         (0.985, 0.5),
@@ -204,9 +215,14 @@ def _profile(ax: Axes, solution: Solution, direction: str) -> None:
     ax.tick_params(axis="y", colors=FILM_COLOUR)
     other = ax.twinx()
     other.plot(place * length, fields.pressure_at(r, theta) * pressure, color=PRESSURE_COLOUR)
-    if _width(solution) == 1:
-        other.plot(place * length, hertz_pressure(r) * pressure, ":", color="0.35", lw=0.9, label="Hertz")
+    dry = _dry(solution)
+    if dry is not None:
+        name = "Hertz" if solution.problem.substrate == HalfSpaceKernel() else "dry contact"
+        other.plot(place * length, dry.pressure(r) * pressure, ":", color="0.35", lw=0.9, label=name)
         other.legend(loc="upper center", frameon=False)
+    if "lambda_ratio" in solution.dimensional:
+        mixed = center / solution.dimensional["film_center"] * FULL_FILM
+        ax.axhspan(0, mixed * solution.dimensional["film_min"] / solution.dimensional["lambda_ratio"], color="0.85", lw=0)
     other.set_ylabel(pressure_label, color=PRESSURE_COLOUR)
     other.tick_params(axis="y", colors=PRESSURE_COLOUR)
     if solution.problem.cavitation == "reynolds":

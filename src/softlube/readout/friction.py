@@ -19,7 +19,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
-from softlube.discretization.measure import integrate
+from softlube.discretization.measure import friction_parts, integrate
 from softlube.model.exact import far_field_profile
 from softlube.steady.solution import Solution
 
@@ -131,6 +131,36 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
 def against_cutoff(solution: Solution, cutoffs: ArrayLike) -> list[FrictionSplit]:
     """`split` for each of several cut-off radii."""
     return [split(solution, float(cutoff)) for cutoff in np.ravel(cutoffs)]
+
+
+def total_within(solution: Solution, cutoff: float) -> float:
+    """Total friction over r ≤ cutoff, in units of (2π/3) G h₀²: what a force sensor reads if the liquid reaches that far.
+
+    Beyond the mesh, where the sphere has left the substrate's deformation behind, the gap is r²/2 and a constant, so that the
+    Couette part is 2πη v/(…) times the logarithm of the gap, in closed form.
+
+    Parameters
+    ----------
+    solution : Solution
+        Where to integrate.
+    cutoff : float
+        Radius in units of the solution's unit of length.
+    """
+    fields = solution.fields
+    reach = min(cutoff, float(fields.r[-1]))
+    couette, poiseuille = friction_parts(fields, reach)
+    total = couette + solution.friction_missed(reach) - poiseuille
+    if cutoff > reach:
+        gap = (
+            float(
+                np.trapezoid(
+                    fields.film[-1] * fields.chart.dtheta_ds(fields.chart.s_of(fields.theta)), fields.chart.s_of(fields.theta)
+                )
+            )
+            / np.pi
+        )
+        total += 2 * np.pi / fields.beta * np.log1p((cutoff**2 - reach**2) / (2 * gap))
+    return float(total)
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,11 @@ class PhysicalContact(Protocol):
         ...
 
     @property
+    def radius(self) -> float:
+        """Radius of the sphere [m]."""
+        ...
+
+    @property
     def viscosity(self) -> float:
         """Viscosity at zero pressure [Pa s]."""
         ...
@@ -138,10 +143,9 @@ class Solution:
         return sorted({*super().__dir__(), *self.quantities})
 
     def __repr__(self) -> str:
-        return (
-            f"<Solution beta={self.beta:.6g} film_center={self.quantities['film_center']} "
-            f"film_min={self.quantities['film_min']} friction_domain={self.quantities['friction_domain']}>"
-        )
+        shown = " ".join(f"{name}={self.quantities[name]}" for name in ("film_center", "film_min", "friction_total"))
+        doubts = "".join(f"\n  Warning: {doubt}." for doubt in self.warnings)
+        return f"<Solution beta={self.beta:.6g} {shown}>{doubts}"
 
     def friction_within(self, cutoff: float) -> float:
         """Normalised friction force over r ≤ cutoff (normalised too), Eq. (27a)."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 
-from softlube.errors import InputError, NotConvergedError
+from softlube.errors import InputError, NotConvergedError, ValidityWarning
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, Substrate
@@ -96,7 +98,10 @@ def solve_problem(
         if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= LARGEST_ACCURACY):
             bounds = f"{FINEST_ACCURACY:g} and {LARGEST_ACCURACY:g}"
             raise InputError(f"accuracy: expected a relative error between {bounds}, got {accuracy!r}")
-        return solve_on_ladder(_regime(problem), accuracy, progress)
+        solution = solve_on_ladder(_regime(problem), accuracy, progress)
+        for doubt in solution.warnings:
+            warnings.warn(doubt, ValidityWarning, stacklevel=3)
+        return solution
     if method not in ("relaxation", "cartesian"):
         raise InputError(f"method: expected 'newton', 'relaxation' or 'cartesian', got {method!r}")
     if accuracy != DEFAULT_ACCURACY:

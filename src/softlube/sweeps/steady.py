@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import tempfile
+import warnings
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
-from softlube.errors import InputError
+from softlube.errors import InputError, ValidityWarning
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity, header
 from softlube.physical.contact import Contact
 from softlube.physical.inputs import SLIDING_BODIES, Loading, names_of
+from softlube.physical.roughness import lubrication
 from softlube.sweeps.axes import DIMENSIONLESS
 from softlube.sweeps.tasks import Outcome, Value, contents
 
@@ -110,6 +112,8 @@ class SteadyCase:
         for name, quantity in (quantities | dimensional).items():
             row[header(name, quantity.unit)] = float(quantity)
             row[header(name, quantity.unit, error=True)] = quantity.error
+        if "lambda_ratio" in dimensional:
+            row["lubrication"] = lubrication(dimensional["lambda_ratio"])
         return row
 
     def write(self, fields: bytes, path: Path) -> None:
@@ -120,7 +124,9 @@ class SteadyCase:
             stored = Path(scratch) / "solution.nc"
             stored.write_bytes(fields)
             solution = load(stored)
-        (solution if self.contact is None else self.contact.interpret(solution)).save(path)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ValidityWarning)  # the table has the doubts
+            (solution if self.contact is None else self.contact.interpret(solution)).save(path)
 
 
 class Steady:

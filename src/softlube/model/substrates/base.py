@@ -34,6 +34,7 @@ class Substrate(Protocol):
     """What the solver asks of a substrate."""
 
     kind: ClassVar[str]
+    words: ClassVar[str]
 
     def in_units(self, unit: float) -> Substrate:
         """The same substrate with another unit of height, given over the present one; lengths scale with its root."""
@@ -55,6 +56,7 @@ class Kernel:
     kinds: ClassVar[dict[str, type[Any]]] = {}
     """Every kernel by its name in files."""
     kind: ClassVar[str]
+    words: ClassVar[str] = "an elastic substrate"
 
     def __init_subclass__(cls) -> None:
         if "kind" in vars(cls):  # not yet where a worker of a sweep puts a class together

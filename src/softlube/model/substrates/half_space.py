@@ -14,6 +14,7 @@ class HalfSpaceKernel(Kernel):
     """The elastic half-space, the paper's substrate.  Its Poisson ratio acts through the effective modulus alone."""
 
     kind: ClassVar[str] = "half-space"
+    words: ClassVar[str] = "an elastic half-space"
 
     def in_units(self, unit: float) -> HalfSpaceKernel:
         """Itself: it has no length."""

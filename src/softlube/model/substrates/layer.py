@@ -64,6 +64,7 @@ class LayerKernel(Kernel):
     poisson_ratio: float = 0.5
     base: Base = "bonded"
     kind: ClassVar[str] = "layer"
+    words: ClassVar[str] = "an elastic layer"
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.thickness) and self.thickness > 0):
