@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from softlube.errors import InputError, NotConvergedError, SoftlubeError, ValidityWarning
+    from softlube.errors import InputError, NotConvergedError, SoftlubeError, ValidityWarning  # noqa: F401
     from softlube.experiments.approach import slide, squeeze
     from softlube.experiments.fit import fit
     from softlube.experiments.measurements import Measurements, read_measurements

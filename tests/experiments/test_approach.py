@@ -203,7 +203,7 @@ def test_on_a_layer_it_ends_in_steady_sliding():
     for name in ("film_center", "film_min", "friction_domain", "pressure_max"):
         assert start.final[name] == pytest.approx(float(steady[name]), rel=6e-3), name
     assert -start.final["height"] == pytest.approx(float(steady["indentation"]), rel=1e-3)
-    assert any("contact radii thick" in doubt for doubt in start.warnings)
+    assert any("dry contact thick" in doubt for doubt in start.warnings)
 
 
 def test_a_height_from_a_file_ends_in_steady_sliding(tmp_path):

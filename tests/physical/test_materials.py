@@ -77,7 +77,7 @@ def test_a_layer_is_spoken_of_where_it_matters():
     dry = dry_contact_at(substrate, indentation=1.0)
     assert layer_doubt(dry, substrate, {"film": (0.049, 0.0)}) == []
     (doubt,) = layer_doubt(dry, substrate, {"film": (0.12, 0.001), "friction": (1e-4, 1e-3)})
-    assert f"{1 / dry.radius:.2g} contact radii thick" in doubt
+    assert f"{1 / dry.radius:.2g} radii of its dry contact thick" in doubt
     assert "film +12 % (± 0.1 %)" in doubt
     assert "friction less than 0.1 %" in doubt
 
@@ -87,7 +87,7 @@ def test_a_layer_under_a_compressible_liquid_of_constant_viscosity_is_solved():
     contact = softlube.Contact(**BALL, thickness="0.5 mm", density_law="dowson-higginson")
     solution = contact.solve(accuracy=1e-2)
     assert np.isfinite(solution.dimensional["film_center"])
-    assert any("contact radii thick" in warning for warning in solution.warnings)
+    assert any("dry contact thick" in warning for warning in solution.warnings)
 
 
 def test_a_sphere_that_just_touches_a_layer_is_solved():

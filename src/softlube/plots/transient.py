@@ -88,8 +88,8 @@ def _along(result: Slide) -> Profiles:
         lambda step: along(fields[step].film_at),
         lambda step: along(fields[step].pressure_at),
         "x",
-        "friction_domain",
-        "friction over $r \\leq 2a$",
+        "friction_total",
+        "total friction over $r \\leq 2a$",
     )
 
 
@@ -173,7 +173,7 @@ def picture(result: Transient, path: str | os.PathLike[str] | None = None) -> Fi
         left.set(xlabel=f"time{clock_label}", ylabel=f"film $u${film_label}", yscale="log")
         left.legend(frameon=False)
         scale, label = pressure, pressure_label
-        if profiles.course == "friction_domain":
+        if profiles.course == "friction_total":
             scale, label = _prefix(float(np.abs(histories[profiles.course]).max()), scales["friction"][1])
         right.plot(time, histories[profiles.course][begin:] * scale, color=PRESSURE_COLOUR)
         right.set(xlabel=f"time{clock_label}")

@@ -13,9 +13,10 @@ from softlube.discretization.measure import measure
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.problem import Cavitation
 from softlube.solvers.progress import Listener
+from softlube.steady.regime import Regime
 from softlube.transient.history import Transient
 from softlube.transient.motion import Motion
-from softlube.transient.sliding.integrate import SlidingStart, start_sliding
+from softlube.transient.sliding.integrate import SlidingStart, deepest_problem, start_sliding
 
 Array = NDArray[np.floating]
 
@@ -27,11 +28,11 @@ FINEST_ACCURACY, COARSEST_ACCURACY = 1e-3, 0.1
 """Accuracies that may be asked for."""
 JUDGED = ("film_center", "film_min")
 """Histories whose relative errors decide whether the grid is fine enough."""
-HISTORIES = ("film_center", "film_min", "pressure_max", "height", "load", "friction_domain")
+HISTORIES = ("film_center", "film_min", "pressure_max", "height", "load", "friction_total", "friction_domain")
 """Quantities of a start of sliding that are functions of the time; see `softlube.model.quantities`.
 
-The friction is that over r ≤ 2a.  Where the height is prescribed a = √(R × initial height); under a load a = √(R × Hertz
-indentation of the largest load)."""
+Frictions are over r ≤ 2a.  Where the height is prescribed a = √(R × initial height); under a load a is the radius of the dry
+contact on the substrate under the largest load."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -110,6 +111,7 @@ def follow_sliding(
         If the accuracy is not reached.
     """
     check_accuracy(accuracy)
+    edge = Regime.of(deepest_problem(beta, motion, cavitation)[0]).edge_radius if motion.control == "load" else 1.0
 
     def run(n_theta: int) -> tuple[SlidingStart, dict[str, Array]]:
         started = start_sliding(
@@ -123,7 +125,7 @@ def follow_sliding(
             film_limit=film_limit,
             progress=progress,
         )
-        measured = [measure(fields) for fields in started.fields]
+        measured = [measure(fields, edge) for fields in started.fields]
         return started, {name: np.array([each[name] for each in measured]) for name in HISTORIES}
 
     coarse, before = run(LADDER[0])
