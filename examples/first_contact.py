@@ -13,7 +13,7 @@ solution = contact.solve()
 # %%
 # Every number carries its error. In SI units:
 
-for name in ("indentation", "film_center", "film_min", "friction_domain", "friction_coefficient"):
+for name in ("indentation", "film_center", "film_min", "friction_total", "friction_coefficient"):
     print(f"{name:22} {solution.dimensional[name]}")
 
 # %%
@@ -25,8 +25,8 @@ print(f"beta = {solution.beta:.5g}, film at the centre {solution.film_center}")
 # Friction is a number only together with the region that it is counted over:
 
 for cutoff in (1.0, 2.0, 4.0):
-    ratio = solution.friction_within(cutoff) / solution.friction_domain
-    print(f"within {cutoff:g} a: {1e6 * ratio * solution.dimensional['friction_domain']:.1f} µN")
+    ratio = softlube.friction.total_within(solution, cutoff) / solution.friction_total
+    print(f"within {cutoff:g} a: {1e6 * ratio * solution.dimensional['friction_total']:.1f} µN")
 
 # %%
 # The film and the pressure as a picture:

@@ -44,7 +44,7 @@ def test_a_sweep_says_how_many_cases_have_warnings(plan, capsys):
     assert main(["sweep", str(plan), "--workers", "1"]) == 0
     assert "1 case has warnings; see the column warnings of the table." in capsys.readouterr().out
     first, second = pd.read_csv(plan.parent / "plan-results.csv")["warnings"].fillna("")
-    assert (first, "below the roughness" in second) == ("", True)
+    assert (first, "times the roughness (boundary" in second) == ("", True)
 
 
 def test_a_sweep_of_failures_only_exits_3(plan):

@@ -40,7 +40,7 @@ def test_rows_of_a_physical_contact(physical):
     value, _, unit = rows["minimum film"]
     assert float(value) * 1e-9 == pytest.approx(physical.dimensional["film_min"], rel=1e-3)
     assert unit == "nm"
-    assert float(rows["friction coefficient over r ≤ 2a"][0]) == pytest.approx(4.50231e-3, rel=1e-5)
+    assert float(rows["friction coefficient over r ≤ 2a"][0]) == pytest.approx(4.86889e-3, rel=1e-5)
     assert "radius of the dry contact" in rows
 
 

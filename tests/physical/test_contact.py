@@ -213,6 +213,45 @@ def test_sound_physics_is_not_warned_of(physical):
     assert careful.doubts(careful.dimensional(physical.quantities)) == ()
 
 
+def test_a_contact_wider_than_the_sphere_is_refused():
+    wide = softlube.Contact(**BALL | {"load": "2 kN"})
+    with pytest.raises(softlube.InputError, match=r"load: makes a contact of radius .* R, wider than the sphere"):
+        wide.problem()
+    with pytest.raises(softlube.InputError, match="indentation: makes a contact"):
+        softlube.Contact(**BALL | {"load": None, "indentation": "3 mm"}).solve()
+
+
+def test_doubts_are_heard():
+    with pytest.warns(softlube.ValidityWarning, match="beyond 0.3 R linear elasticity"):
+        softlube.Contact(**BALL | {"load": "20 N"}).solve(accuracy=1e-2)
+
+
+def test_a_shear_stress_that_no_liquid_bears_is_said_to_be_unphysical():
+    """Steel on steel with Roelands' oil, in pure sliding: the Newtonian friction coefficient is above 1."""
+    steel = softlube.Contact(
+        radius="10 mm", young_modulus="115 GPa", poisson_ratio=0.3, viscosity="0.1 Pa s", speed="1 m/s", load="50 N",
+        pressure_viscosity="20 GPa^-1", viscosity_law="roelands", density_law="dowson-higginson",
+    )  # fmt: skip
+    solution = steel.solve(accuracy=1e-2)
+    assert solution.dimensional["friction_coefficient"] > 0.1
+    assert any("no liquid stays Newtonian" in doubt for doubt in solution.warnings)
+    soft = softlube.Contact(**BALL | {"load": "100 uN"}).solve(accuracy=1e-2)  # a thick film under kilopascals
+    assert soft.dimensional["friction_coefficient"] > 0.005
+    assert not any("Newtonian" in doubt for doubt in soft.warnings)
+
+
+@pytest.mark.parametrize("thickness", ["2 mm", "0.3 mm"])
+def test_the_radius_is_that_of_the_dry_contact_on_the_substrate(thickness):
+    """Quantities at r = a agree between a load and the indentation that it makes, but for the film under the sphere."""
+    by_load = softlube.Contact(**BALL, thickness=thickness).solve()
+    depth = float(by_load.dimensional["indentation"])
+    by_depth = softlube.Contact(**BALL | {"load": None, "indentation": depth}, thickness=thickness).solve()
+    half_space = softlube.Contact(**BALL).solve()
+    assert by_load.dimensional["contact_radius"] < half_space.dimensional["contact_radius"]
+    for name in ("contact_radius", "friction_total", "friction_contact", "friction_domain", "load_contact"):
+        assert by_depth.dimensional[name] == pytest.approx(float(by_load.dimensional[name]), rel=1e-2), name
+
+
 def test_every_physical_input_has_a_unit_and_an_example():
     for name, each in declared().items():
         if not each.is_text:

@@ -70,11 +70,13 @@ def test_a_stribeck_curve(table, tmp_path, against, column):
     figure = plot_stribeck(table, tmp_path / "s.png", against=against)
     assert (tmp_path / "s.png").read_bytes().startswith(b"\x89PNG")
     friction, film = figure.axes
-    first, second = friction.get_lines()
+    first, second = (line for line in friction.get_lines() if line.get_color() != "0.75")
     assert first.get_xdata() == pytest.approx(table[column][:5])
-    assert first.get_ydata() == pytest.approx(0.01 * table["entrainment_speed [m/s]"][:5] ** 0.5)
+    assert np.isnan(first.get_ydata()).all()  # λ = 2 is no full film: the curve is there in grey only
+    grey = next(line for line in friction.get_lines() if line.get_color() == "0.75")
+    assert grey.get_ydata() == pytest.approx(0.01 * table["entrainment_speed [m/s]"][:5] ** 0.5)
     assert (first.get_label(), second.get_label()) == ("50 mN", "100 mN")
-    centre, least, lambda_3 = film.get_lines()[:3]
+    centre, _, least, _, lambda_3 = film.get_lines()[:5]
     assert centre.get_ydata() == pytest.approx(np.full(5, 200))
     assert least.get_ydata() == pytest.approx(np.full(5, 100))
     assert lambda_3.get_ydata()[0] == pytest.approx(150)  # three times the roughness, 100 nm over λ = 2

@@ -35,7 +35,7 @@ def test_lines_are_the_numbers(squeezed, started):
     x = figure.axes[0].lines[-1].get_xdata()
     assert x[0] == -x[-1]
     friction = figure.axes[3].lines[0].get_ydata()
-    assert friction / friction[-1] == pytest.approx(started.histories["friction_domain"] / started.final["friction_domain"])
+    assert friction / friction[-1] == pytest.approx(started.histories["friction_total"] / started.final["friction_total"])
 
 
 def test_a_film_that_slows_down_has_a_logarithmic_time(squeezed, slid):

@@ -56,7 +56,9 @@ def test_warnings_are_a_column():
     table = softlube.sweep(SEVERAL | {"load": "50 mN", "roughness": ["1 nm", "1 mm"]}, accuracy=ROUGH, workers=1).table
     one = softlube.Contact(**BALL | {"load": "50 mN", "speed": "1 mm/s", "roughness": "1 mm"}).solve(accuracy=ROUGH)
     assert table["warnings"].tolist()[:3] == ["", "; ".join(one.warnings), ""]  # at 1 mm/s, then at 3 mm/s
-    assert all("below the roughness" in text for text in table["warnings"][1::2])
+    assert all("times the roughness (boundary" in text for text in table["warnings"][1::2])
+    assert table["lubrication"].tolist() == ["full film", "boundary"] * 2
+    assert table["lambda_ratio"].tolist() == pytest.approx([table["film_min [m]"][i] / (1e-9, 1e-3)[i % 2] for i in range(4)])
 
 
 @pytest.mark.slow

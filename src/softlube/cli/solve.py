@@ -217,9 +217,11 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
         from softlube.steady.error_estimate import looser
         from softlube.steady.regime import Regime
 
-        times = f"{looser(Regime.of(solution.problem))['film_min']:g}"
+        factors = looser(Regime.of(solution.problem))
+        also = ", film at the inlet" if "film_inlet" in factors else ""
         console.print(
-            f"Errors aimed at: {solution.accuracy:g} of each value (minimum film, largest shear: {times} times that)."
+            f"Errors aimed at: {solution.accuracy:g} of each value (minimum film, largest shear{also}: "
+            f"{factors['film_min']:g} times that)."
         )
     else:
         console.print("One mesh, so the errors are not known; softlube's own method (--method newton) estimates them.")

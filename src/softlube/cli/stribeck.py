@@ -194,7 +194,7 @@ def _report(table: pandas.DataFrame, files: list[str]) -> None:
                 f"{row['friction_coefficient']:.4g}",
                 f"{1e9 * row['film_center [m]']:.4g}",
                 f"{1e9 * row['film_min [m]']:.4g}",
-                *([f"{row['lambda']:.3g}"] if "lambda_ratio" in rows else []),
+                *([f"{row['lambda_ratio']:.3g}"] if "lambda_ratio" in rows else []),
             ]
             grid.add_row(*(("-" if cell == "nan" else cell) for cell in cells))
         console.print(grid, soft_wrap=False)

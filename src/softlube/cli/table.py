@@ -73,7 +73,7 @@ def solution_table(problem: Problem, quantities: Mapping[str, Quantity], dimensi
         if definition.place:
             where = dimensional.get(name)  # an angle is no SI value
             shown = rounded(float(quantity), quantity.error)
-            row(f"  {definition.place}", *((*shown, unit) if where is None else engineering(where)))
+            row(f"  {definition.place}", *((*shown, unit.split(" = ")[0]) if where is None else engineering(where)))
         elif physical:
             row(definition.words, *engineering(dimensional[name]))
         else:

@@ -89,10 +89,10 @@ class Unit:
 
 UNITS = {
     "height": Unit("{0}", "m", 1, "{0}"),
-    "length": Unit("√(R {0})", "m", 1 / 2, r"\sqrt{{R{0}}}"),
-    "pressure": Unit("4πG √({0}/R)", "Pa", 1 / 2, r"4\pi G\sqrt{{{0}/R}}"),
+    "length": Unit("L = √(R {0})", "m", 1 / 2, r"\sqrt{{R{0}}}"),
+    "pressure": Unit("4πG L/R", "Pa", 1 / 2, r"4\pi G\sqrt{{{0}/R}}"),
     "pressure_gradient": Unit("4πG/R", "Pa/m", 0),
-    "load": Unit("4πG {0} √(R {0})", "N", 3 / 2),
+    "load": Unit("4πG {0} L", "N", 3 / 2),
     "friction": Unit("(2π/3)G {0}²", "N", 2),
     "shear_rate": Unit("v/{0}", "1/s", -1),
     "time": Unit("3ηR/(πG {0} √({0}/R))", "s", -3 / 2),
@@ -260,7 +260,7 @@ SPIKE = _table(
 DERIVED = _table(
     Definition("indentation", "indentation", "−h₀", "height", "29"),
     Definition("contact_radius", "radius of the dry contact", "a", "length", "4"),
-    Definition("friction_coefficient", "friction coefficient (total) over r ≤ 2a", "F/N", "number"),
+    Definition("friction_coefficient", "friction coefficient over r ≤ 2a", "F/N", "number"),
     Definition("lambda_ratio", "minimum film over roughness", "λ", "number"),
 )
 """Quantities that only a contact in SI has; the indentation takes the place of the height there."""

@@ -197,7 +197,10 @@ def test_a_steep_spike_is_given_with_its_error(steep):
     for name, expected in (("spike_pressure", 1.975 * HERTZ_PRESSURE), ("spike_radius", 0.7467)):
         assert abs(steep.quantities[name] - expected) < steep.quantities[name].error < 0.01 * expected, name
     assert steep.pressure_max == pytest.approx(2.155 * HERTZ_PRESSURE, abs=float(steep.pressure_max.error))
-    assert "hardly resolve; not given, because the error would be above 10 %: friction_total, friction_contact, friction" in steep.warnings[0]
+    assert (
+        "hardly resolve; not given, because the error would be above 10 %: friction_total, friction_contact, friction"
+        in steep.warnings[0]
+    )
     assert np.isnan([steep.friction_contact, steep.friction_domain]).all()
     unit = float(moes_film(1.0, steep.beta_load))
     assert unit * steep.film_center == pytest.approx(4.3423, abs=5e-4)
