@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from softlube.model import dry, liquids, substrates
     from softlube.model.indenters import Sphere
     from softlube.model.liquids import Barus, DowsonHigginson, Incompressible, Newtonian, Roelands
-    from softlube.model.motions import Sliding
+    from softlube.model.motions import Rolling, Sliding
     from softlube.model.problem import Problem
     from softlube.model.quantities import Quantity
     from softlube.model.substrates import HalfSpace, Layer
@@ -97,6 +97,7 @@ __all__ = [
     "Quantity",
     "Rig",
     "Roelands",
+    "Rolling",
     "Slide",
     "Sliding",
     "SoftlubeError",

@@ -32,7 +32,9 @@ def test_parts_are_values():
 
 
 def test_the_signature_is_the_declaration():
-    assert str(signature(Layer)) == ("(young_modulus=None, *, shear_modulus=None, poisson_ratio=0.5, thickness, base='bonded')")
+    assert str(signature(Layer)) == (
+        "(young_modulus=None, *, shear_modulus=None, poisson_ratio=0.5, radius=None, thickness, base='bonded')"
+    )
     for arguments in ((1.0, 2.0), (1.0,)):
         with pytest.raises(TypeError, match="expected Newtonian"):
             Newtonian(*arguments, viscosity=1.0)
@@ -96,7 +98,7 @@ def test_liquids_that_are_none(given, message):
 
 def test_the_vocabulary_has_every_input_once():
     names = list(vocabulary(["substrate", "liquid"]))
-    assert names[:4] == ["young_modulus", "shear_modulus", "poisson_ratio", "thickness"]
+    assert names[:5] == ["young_modulus", "shear_modulus", "poisson_ratio", "substrate_radius", "thickness"]
     assert len(names) == len(set(names))
     assert names[-1] == "viscosity_law"
     assert {kind.slot for kinds in Part.slots.values() for kind in kinds.values()} >= {

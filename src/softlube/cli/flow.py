@@ -77,8 +77,8 @@ def flow(
     units = (f"v {unit} a", f"ηv/{unit}")
     if solved.contact is not None:
         contact, height = solved.contact, solved.contact.unit_height
-        inflow *= contact.speed * height * contact.unit_length
-        scale = contact.viscosity * contact.speed / height
+        inflow *= contact.speed_sum * height * contact.unit_length
+        scale = contact.viscosity * contact.speed_sum / height
         sphere, substrate, units = sphere * scale, substrate * scale, ("m³/s", "Pa")
     console.print(f"flux into the contact r ≤ a over its front half: {inflow:.4g} {units[0]}", markup=False)
     console.print(

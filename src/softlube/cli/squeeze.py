@@ -74,7 +74,7 @@ def squeeze(
     from softlube.physical.squeeze import WRITTEN_WAYS, check_one_way
     from softlube.transient.squeeze.result import Squeeze
 
-    slides = bool(Sliding.inputs.keys() & physical.keys())
+    slides = bool(names_of([Sliding.slot]).keys() & physical.keys())
     for name in names_of((), StartOfSliding):
         if name in physical and not slides:
             raise InputError(f"{name}: only a start of sliding has it; give --speed or leave it out")

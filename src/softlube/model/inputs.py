@@ -60,6 +60,9 @@ class Input:
         Other headers of a CSV column that mean it.
     derived : callable, optional
         The value from what the instance keeps, for an input that is another one in disguise.
+    flat : str
+        Its name where it stands among the inputs of a whole experiment, if the attribute's name is taken there: the
+        `young_modulus` of a ball is the `ball_young_modulus` of a contact.
     """
 
     name: str
@@ -78,13 +81,14 @@ class Input:
         absent: str = "",
         synonyms: tuple[str, ...] = (),
         derived: Callable[[Any], float] | None = None,
+        flat: str = "",
     ) -> None:
         self.words, self.dimension, self.example, self.default = words, dimension, example, default
         self.signed, self.between, self.remark, self.absent = signed, between, remark, absent
-        self.synonyms, self.derived, self._choices = synonyms, derived, choices
+        self.synonyms, self.derived, self.flat, self._choices = synonyms, derived, flat, choices
 
     def __set_name__(self, owner: type, name: str) -> None:
-        self.name = name
+        self.name = self.flat or name
 
     def __get__(self, instance: Any, owner: type) -> Any:
         if instance is None:

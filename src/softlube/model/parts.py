@@ -57,10 +57,13 @@ class Part(Declaring):
     usual: ClassVar[bool] = False
     slots: ClassVar[dict[str, dict[str, type[Part]]]] = {}
     """Every kind of part by slot and name."""
+    attributes: ClassVar[Mapping[str, str]] = {}
+    """Its attributes by the names that their inputs have in an experiment."""
     __signature__ = _Constructor()
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
+        cls.attributes = {each.name: attribute for attribute, each in cls.inputs.items()}
         if "kind" in vars(cls):
             Part.slots.setdefault(cls.slot, {})[cls.kind] = cls
             _words_of.cache_clear()
@@ -78,8 +81,9 @@ class Part(Declaring):
         return values
 
     def flat(self) -> dict[str, Any]:
-        """Its inputs in SI by their names, with the selector; `resolve` makes an equal part of them."""
-        return vars(self) | ({self.selector: self.kind} if self.selector else {})
+        """Its inputs in SI by their names in an experiment, with the selector; `resolve` makes an equal part of them."""
+        named = {self.inputs[attribute].name: value for attribute, value in vars(self).items()}
+        return named | ({self.selector: self.kind} if self.selector else {})
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__name__} is immutable; make another one")
@@ -125,8 +129,8 @@ def vocabulary(slots: Iterable[str]) -> dict[str, Input]:
 def _words_of(slot: str) -> dict[str, Input]:
     """Inputs of a slot's kinds, those of the simplest first; forgotten when a new kind is defined."""
     kinds = sorted(Part.slots[slot].values(), key=lambda each: len(each.inputs))
-    found = {name: each for kind in reversed(kinds) for name, each in kind.inputs.items()}
-    ordered = {name: found[name] for kind in kinds for name in kind.inputs}
+    found = {each.name: each for kind in reversed(kinds) for each in kind.inputs.values()}
+    ordered = {name: found[name] for kind in kinds for name in kind.attributes}
     selector = kinds[0].selector
     return ordered | ({selector: selector_input(slot, selector)} if selector else {})
 
@@ -168,21 +172,23 @@ def _by_inputs(slot: str, flat: dict[str, object]) -> Part:
     choice = flat.get(selector)
     if choice is not None:
         chosen = kinds[names[selector].read(choice)]
-        other = next((name for name in said if name not in chosen.inputs), None)
+        other = next((name for name in said if name not in chosen.attributes), None)
         if other is not None:
             raise InputError(f"{selector}, {other}: {choice!r} has no such input; leave one of them out")
         if chosen is not usual or said.keys() - everywhere:
             candidates = [chosen]
-    fitting = [each for each in candidates if said.keys() <= each.inputs.keys()]
+    fitting = [each for each in candidates if said.keys() <= each.attributes.keys()]
     if not fitting:
         one, other = _apart(said, kinds.values())
         raise InputError(f"{one}, {other}: no {slot} has both; leave one of them out")
     complete = [each for each in fitting if _required(each) - everywhere <= said.keys()]
     if not complete:
         nearest = min(fitting, key=lambda each: len(_required(each) - said.keys()))
-        missing = next(name for name in nearest.inputs if name in _required(nearest) - everywhere - said.keys())
+        missing = next(name for name in nearest.attributes if name in _required(nearest) - everywhere - said.keys())
         simplest = min(kinds.values(), key=lambda each: len(each.inputs))
-        first = selector if choice is not None else next(name for name in said if name not in simplest.inputs)
+        first = selector if choice is not None else next((name for name in said if name not in simplest.attributes), None)
+        if first is None:
+            raise InputError(f"{missing}: missing; expected {names[missing].expected}")
         raise InputError(f"{first}, {missing}: the first means nothing without the second; give both or neither")
     complete.sort(key=lambda each: (len(each.inputs), not each.usual))
     best = complete[0]
@@ -190,12 +196,12 @@ def _by_inputs(slot: str, flat: dict[str, object]) -> Part:
         several = ", ".join(each.kind for each in complete)
         advice = f"; say which by {selector}" if selector else "; give the part itself"
         raise InputError(f"{next(reversed(said), slot)}: an input of several, {several}{advice}")
-    return best(**{name: value for name, value in flat.items() if name in best.inputs})
+    return best(**{best.attributes[name]: value for name, value in flat.items() if name in best.attributes})
 
 
 @cache
 def _required(kind: type[Part]) -> set[str]:
-    return {name for name, each in kind.inputs.items() if each.required}
+    return {each.name for each in kind.inputs.values() if each.required}
 
 
 def _same(value: object, default: object) -> bool:
@@ -206,4 +212,6 @@ def _apart(said: Iterable[str], kinds: Iterable[type[Part]]) -> tuple[str, str]:
     """Two inputs that no kind has both."""
     names, kinds = list(said), list(kinds)
     pairs = ((one, other) for i, one in enumerate(names) for other in names[i + 1 :])
-    return next((pair for pair in pairs if not any(set(pair) <= kind.inputs.keys() for kind in kinds)), (names[0], names[-1]))
+    return next(
+        (pair for pair in pairs if not any(set(pair) <= kind.attributes.keys() for kind in kinds)), (names[0], names[-1])
+    )

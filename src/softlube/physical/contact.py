@@ -16,13 +16,13 @@ import numpy as np
 from softlube.errors import InputError, ValidityWarning
 from softlube.model.inputs import exactly_one, read
 from softlube.model.liquids.newtonian import NewtonianLaw
-from softlube.model.motions import Sliding
+from softlube.model.motions import FIXED_BALL, SteadyMotion
 from softlube.model.parts import resolve
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.model.substrates.half_space import HalfSpace
 from softlube.model.substrates.layer import LayerKernel
-from softlube.physical.inputs import SLIDING_BODIES, Loading, Taking, check_names, documented
+from softlube.physical.inputs import BODIES, SLIDING_BODIES, Loading, Taking, check_names, documented
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
     LARGEST_SLOPE,
@@ -41,17 +41,18 @@ from softlube.steady.solution import Solution
 @documented(SLIDING_BODIES, Loading)
 @dataclass(frozen=True, init=False)
 class Contact(Materials):
-    """A rigid sphere sliding over a soft substrate with a viscous film between.
+    """A sphere that slides or rolls over a substrate with a viscous film between; either of them elastic, or both.
 
     Parts are given as objects, or by their inputs, from which they follow: a thickness makes the substrate a layer, a
-    pressure-viscosity coefficient makes the liquid one of Barus, or of another law that is named.  Quantities take text with a
-    unit ("2 mm", "3 MPa", "2 Pa s"; see `softlube.model.units`), a pint quantity, or a number in SI.  Give exactly one of
+    pressure-viscosity coefficient makes the liquid one of Barus, or of another law that is named, and an entrainment speed in
+    place of the speed makes the motion a rolling one.  Quantities take text with a unit ("2 mm", "3 MPa", "2 Pa s"; see
+    `softlube.model.units`), a pint quantity, or a number in SI.  Give exactly one of
     `young_modulus` and `shear_modulus`, and exactly one of `load` and `indentation`.
 
     Parameters
     ----------
     indenter, substrate, liquid, compressibility, motion : Part, optional
-        Such as `Sphere`, `Layer`, `Barus`, `DowsonHigginson` and `Sliding` of `softlube`.  A part and an input of the slot that
+        Such as `Sphere`, `Layer`, `Barus`, `DowsonHigginson` and `Rolling` of `softlube`.  A part and an input of the slot that
         it fills are not given together.
     {inputs}
 
@@ -67,11 +68,12 @@ class Contact(Materials):
     Raises
     ------
     InputError
-        If an input is missing, contradictory, not positive and finite, or of the wrong dimension.
+        If an input is missing, contradictory, not positive and finite, or of the wrong dimension, or the substrate is a cup
+        and the sphere does not fit into it.
 
     Examples
     --------
-    >>> from softlube import Barus, Contact, Layer, Sliding, Sphere
+    >>> from softlube import Barus, Contact, HalfSpace, Layer, Newtonian, Rolling, Sliding, Sphere
     >>> contact = Contact(radius="2 mm", young_modulus="3 MPa", viscosity="2 Pa s", speed="0.1 mm/s", load="100 mN")
     >>> round(contact.problem().beta_load)
     16430
@@ -79,9 +81,14 @@ class Contact(Materials):
     ...                   liquid=Barus("2 Pa s", pressure_viscosity="20 GPa^-1"), motion=Sliding("0.1 mm/s"), load="100 mN")
     >>> contact.thickness
     0.002
+    >>> steel_on_glass = Contact(indenter=Sphere("10 mm", young_modulus="210 GPa", poisson_ratio=0.3),
+    ...                          substrate=HalfSpace("64 GPa", poisson_ratio=0.2), liquid=Newtonian("1 Pa s"),
+    ...                          motion=Rolling("1 mm/s", slide_to_roll=0), load="1 N")
+    >>> f"{4 * steel_on_glass.contact_modulus:.4g}"  # E* [Pa]
+    '5.178e+10'
     """
 
-    motion: Sliding
+    motion: SteadyMotion
     load: float | None
     indentation: float | None
     cavitation: Cavitation
@@ -91,30 +98,41 @@ class Contact(Materials):
 
     def __init__(self, **given: Any) -> None:
         check_names(given, SLIDING_BODIES, Loading)
-        vars(self).update(resolve(SLIDING_BODIES, given))
+        super().__init__(**resolve(BODIES, given))
+        vars(self).update(resolve([SteadyMotion.slot], given))
         exactly_one({name: given.get(name) for name in ("load", "indentation")}, Loading.inputs)
         vars(self).update(read(Loading.inputs, given))
 
     # --- from SI to the dimensionless problem -----------------------------------------------------------------------
 
     @property
+    def speed_sum(self) -> float:
+        """Sum of the surface speeds [m/s]: v in Reynolds' equation, the speed of a ball that slides without turning."""
+        return self.motion.speed_sum
+
+    @property
+    def slide_to_roll(self) -> float:
+        """Difference of the surface speeds over their mean, see `softlube.Rolling`; 2 for sliding."""
+        return self.motion.slide_to_roll
+
+    @property
     def unit_height(self) -> float:
         """Height that lengths are normalised with [m].
 
-        The indentation of a half-space under the load, Eq. (29), or |h₀| where that is prescribed; for h₀ = 0 the height that
-        makes β = 1, where the film is about as thick.
+        The indentation of two half-spaces under the load, Eq. (29), or |h₀| where that is prescribed; for h₀ = 0 the height
+        that makes β = 1, where the film is about as thick.
         """
         if self.load is not None:
             return self.hertz_indentation(self.load)
         assert self.indentation is not None
         if self.indentation == 0:
-            return math.sqrt(1.5 * self.radius * self.viscosity * self.speed / (math.pi * self.substrate.contact_modulus))
+            return math.sqrt(1.5 * self.reduced_radius * self.viscosity * self.speed_sum / (math.pi * self.contact_modulus))
         return abs(self.indentation)
 
     @property
     def unit_length(self) -> float:
         """√(R × `unit_height`) [m]: the radius of the Hertz contact."""
-        return math.sqrt(self.radius * self.unit_height)
+        return math.sqrt(self.reduced_radius * self.unit_height)
 
     def problem(self) -> Problem:
         """The dimensionless problem, Eq. (6d) or (30).
@@ -125,7 +143,7 @@ class Contact(Materials):
             If the contact would be wider than the sphere.
         """
         height = self.unit_height
-        beta = self.beta(height, self.speed)
+        beta = self.beta(height, self.speed_sum)
         models: dict[str, Any] = {"substrate": self.substrate_for(height), "liquid": self.liquid_for(height)}
         if self.load is not None:
             problem = Problem(beta_load=beta, cavitation=self.cavitation, **models)
@@ -185,7 +203,7 @@ class Contact(Materials):
         """Quantities of `problem` in SI, Eqs. (4) and (26)."""
         units = {dimension: value for dimension, (value, _) in self.scales(self.unit_height).items()}
         height, length = units["height"], units["length"]
-        units |= {"pressure_gradient": units["pressure"] / length, "shear_rate": self.speed / height}
+        units |= {"pressure_gradient": units["pressure"] / length, "shear_rate": self.speed_sum / height}
         result = {}
         for name, quantity in quantities.items():
             row = QUANTITIES[name]
@@ -230,7 +248,7 @@ class Contact(Materials):
                 "liquid stays Newtonian, it shears at a limiting stress instead; do not trust the friction"
             )
         center = float(dimensional["film_center"])
-        reynolds = self.density * self.speed * center**2 / (self.viscosity * radius)
+        reynolds = self.density * self.speed_sum * center**2 / (self.viscosity * radius)
         if reynolds > LARGEST_FILM_REYNOLDS:
             doubts.append(
                 f"the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
@@ -244,7 +262,7 @@ class Contact(Materials):
     def _thickness_effect(self, substrate: LayerKernel, dimensional: Mapping[str, Quantity]) -> list[str]:
         """What the finite thickness of the substrate changes, computed."""
         dry, changes = dry_effect(substrate, by_load=self.load is not None)
-        thick = HalfSpace(shear_modulus=self.substrate.shear_modulus, poisson_ratio=self.substrate.poisson_ratio)
+        thick = HalfSpace(**{name: value for name, value in vars(self.substrate).items() if name in HalfSpace.inputs})
         half_space = Contact(**vars(self) | {"substrate": thick})
         problem = half_space.problem()
         if problem.liquid == NewtonianLaw():

@@ -20,7 +20,7 @@ Documented = TypeVar("Documented")
 
 BODIES = (indenters.Sphere.slot, substrates.SubstratePart.slot, liquids.LiquidPart.slot, liquids.DensityPart.slot)
 """Slots of what there is, moving or not."""
-SLIDING_BODIES = (*BODIES, motions.Sliding.slot)
+SLIDING_BODIES = (*BODIES, motions.SteadyMotion.slot)
 """Slots of a contact that slides."""
 
 
@@ -79,7 +79,7 @@ class Measured(Declaring):
     """What a rig measures and sets."""
 
     friction = given("Friction force", FORCE, "5 mN", signed=True, synonyms=("friction_force",))
-    entrainment_speed = given("Mean of the surface speeds", SPEED, "0.05 mm/s")
+    entrainment_speed = motions.Rolling.entrainment_speed
 
 
 def check_names(given: Iterable[str], slots: Sequence[str], *groups: type[Declaring]) -> None:

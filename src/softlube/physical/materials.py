@@ -1,4 +1,7 @@
-"""Sphere, substrate and liquid in SI: what a contact has whatever moves the sphere; Eqs. (4), (6d), (29)."""
+"""Sphere, substrate and liquid in SI: what a contact has whatever moves the sphere; Eqs. (4), (6d), (29).
+
+For the paper's pair, a rigid sphere on an incompressible half-space, E* = 4G.
+"""
 
 from __future__ import annotations
 
@@ -32,10 +35,13 @@ LARGEST_LAYER_EFFECT = 0.05
 
 @dataclass(frozen=True)
 class Materials:
-    """A rigid sphere, a soft substrate, and a liquid, each a part of the experiment.
+    """A sphere, a substrate, and a liquid, each a part of the experiment.
 
-    The inputs of the parts are attributes here, too: `radius`, `shear_modulus`, `viscosity`, `density`, … in SI.  An input that
-    other parts have and the chosen one has not is None, such as the `thickness` of a half-space.
+    Only what the equations see of two elastic bodies is left of them: the gap is that of one sphere of the reduced radius,
+    1/R = 1/R₁ + 1/R₂, and the displacement is the sum of both bodies', whose compliances add.
+
+    The inputs of the parts are attributes here, too: `radius`, `shear_modulus`, `ball_young_modulus`, `viscosity`, `density`,
+    … in SI.  An input that other parts have and the chosen one has not is None, such as the `thickness` of a half-space.
 
     Attributes
     ----------
@@ -51,12 +57,19 @@ class Materials:
     liquid: LiquidPart
     compressibility: DensityPart
 
+    def __post_init__(self) -> None:
+        if not self.indenter.radius * self.substrate.curvature > -1:
+            raise InputError(
+                f"substrate_radius: a cup must be wider than the sphere, of {self.indenter.radius:.4g} m; "
+                f"got {self.substrate.radius:.4g} m"
+            )
+
     def __getattr__(self, name: str) -> Any:
         """An input of one of the parts."""
         for part in vars(self).values():
             if isinstance(part, Part):
-                if name in part.inputs:
-                    return getattr(part, name)
+                if name in part.attributes:
+                    return getattr(part, part.attributes[name])
                 if name == part.selector:
                     return part.kind
                 if name in vocabulary([part.slot]):
@@ -71,26 +84,46 @@ class Materials:
             found |= value.flat() if isinstance(value, Part) else {each.name: value}
         return found
 
+    @property
+    def reduced_radius(self) -> float:
+        """R with 1/R = 1/R₁ + 1/R₂ [m], the only radius that the equations see; the sphere's own on a flat substrate."""
+        return self.indenter.radius / (1 + self.indenter.radius * self.substrate.curvature)
+
+    @property
+    def substrate_share(self) -> float:
+        """What part of the compliance of both bodies, were both half-spaces, is the substrate's; 1 under a rigid ball."""
+        return 1 / (1 + self.substrate.contact_modulus * self.indenter.compliance)
+
+    @property
+    def contact_modulus(self) -> float:
+        """E*/4 with 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂ [Pa], were both bodies half-spaces; G under a rigid ball if ν₂ = 1/2."""
+        return self.substrate.contact_modulus * self.substrate_share
+
+    @property
+    def bearing_radius(self) -> float:
+        """Least of the sphere's and the reduced radius [m]; contacts much narrower are parabolic and little strained."""
+        return min(self.indenter.radius, self.reduced_radius)
+
     def hertz_indentation(self, load: float) -> float:
-        """Indentation of a half-space under a load, Eq. (29) [m]."""
-        return float(hertz_indentation(load, self.radius, self.substrate.contact_modulus))
+        """Indentation of two half-spaces under a load, Eq. (29) [m]."""
+        return float(hertz_indentation(load, self.reduced_radius, self.contact_modulus))
 
     def scales(self, height: float) -> dict[str, tuple[float, str]]:
         """SI value and unit of each unit of the problem normalised with a height [m], Eqs. (4) and (26); docs/squeeze.md."""
-        length = math.sqrt(self.radius * height)
-        pressure = 4 * math.pi * self.substrate.contact_modulus * math.sqrt(height / self.radius)
+        length = math.sqrt(self.reduced_radius * height)
+        pressure = 4 * math.pi * self.contact_modulus * math.sqrt(height / self.reduced_radius)
         return {
             "height": (height, "m"),
             "length": (length, "m"),
             "pressure": (pressure, "Pa"),
             "load": (pressure * length**2, "N"),
-            "friction": (2 * math.pi / 3 * self.substrate.contact_modulus * height**2, "N"),
-            "time": (12 * self.viscosity * self.radius / (height * pressure), "s"),
+            "friction": (2 * math.pi / 3 * self.contact_modulus * height**2, "N"),
+            "time": (12 * self.viscosity * self.reduced_radius / (height * pressure), "s"),
             "volume": (length**2 * height, "m^3"),
         }
 
     def beta(self, height: float, speed: float) -> float:
-        """β of Eq. (6d), formed with a height [m].
+        """β of Eq. (6d), formed with a height [m] and the sum of the surface speeds [m/s].
 
         Raises
         ------
@@ -98,7 +131,7 @@ class Materials:
             If it is no number to compute with.
         """
         try:
-            stiffness = (2 / 3) * (height**2 / self.radius) * math.pi * self.substrate.contact_modulus
+            stiffness = (2 / 3) * (height**2 / self.reduced_radius) * math.pi * self.contact_modulus
             beta = stiffness / (self.viscosity * speed)
         except (ZeroDivisionError, OverflowError):
             beta = math.inf
@@ -108,7 +141,7 @@ class Materials:
 
     def substrate_for(self, height: float) -> Substrate:
         """What the sphere moves over, normalised with a height [m]."""
-        return self.substrate.kernel(math.sqrt(self.radius * height))
+        return self.substrate.kernel(math.sqrt(self.reduced_radius * height), self.substrate_share)
 
     def liquid_for(self, height: float) -> Liquid:
         """The laws of viscosity and density, normalised with a height [m]."""
@@ -117,7 +150,7 @@ class Materials:
 
     def thickening_doubt(self, highest_pressure: float) -> list[str]:
         """Warnings if viscosity or density depend on the pressure by their laws, and hardly do up to a pressure [Pa]."""
-        height = self.radius  # any height: η(p) does not know what it is normalised with
+        height = self.reduced_radius  # any height: η(p) does not know what it is normalised with
         unit = self.scales(height)["pressure"][0]
         highest = np.array([highest_pressure / unit])
         viscosity = self.liquid.law(unit)

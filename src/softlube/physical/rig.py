@@ -126,4 +126,4 @@ class Rig:
 
 def hertz_force(contact: Contact) -> float:
     """Unit of a friction under load control, (2π/3) G δ² with the Hertz indentation δ of the load, Eq. (26) [N]."""
-    return 2 * math.pi / 3 * contact.shear_modulus * contact.unit_height**2
+    return 2 * math.pi / 3 * contact.contact_modulus * contact.unit_height**2

@@ -34,9 +34,11 @@ def read_sliding(setup: Setup, given: Mapping[str, Any]) -> tuple[dict[str, Any]
     Raises
     ------
     InputError
-        If an input is missing or impossible.
+        If an input is missing or impossible, or the motion is no plain sliding.
     """
     motion = resolve([Sliding.slot], given)[Sliding.slot]
+    if not isinstance(motion, Sliding):
+        raise InputError("entrainment_speed: a start of rolling is not solved; give the speed of a ball that slides instead")
     own = read(StartOfSliding.inputs, given)
     pressed = own["pressed"] or 0.0
     if pressed < 0:

@@ -112,15 +112,15 @@ class Setup(Materials):
         doubts = []
         depth, suction = max(-extremes.least_height, 0.0), -extremes.least_pressure
         by_layer: list[str] = []
-        radius = (self.radius * depth) ** 0.5
+        radius = (self.reduced_radius * depth) ** 0.5
         substrate = self.substrate_for(self.unit_height)
         if depth > 0 and isinstance(substrate, LayerKernel):
             dry, changes = dry_effect(substrate, by_load=self.control == "load", depth=depth / self.unit_height)
             radius = dry.radius * self.units["length"][0]
             by_layer = layer_doubt(dry, substrate, changes)
-        if radius > LARGEST_SLOPE * self.radius:
+        if radius > LARGEST_SLOPE * self.bearing_radius:
             doubts.append(
-                f"the contact radius reaches {radius / self.radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and the "
+                f"the contact radius reaches {radius / self.bearing_radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and the "
                 f"parabolic sphere are in doubt"
             )
         if suction > ATMOSPHERE:

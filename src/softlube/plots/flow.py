@@ -170,7 +170,7 @@ def _stress_scale(solution: Solution) -> tuple[float, str]:
     contact = solution.contact
     if contact is None:
         return float(solution.quantities["film_center"]), r"$/\,(\eta v/u(0))$"
-    return contact.viscosity * contact.speed / contact.unit_height, "[Pa]"
+    return contact.viscosity * contact.speed_sum / contact.unit_height, "[Pa]"
 
 
 def _length_scale(solution: Solution) -> tuple[float, str]:

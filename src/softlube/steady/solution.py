@@ -46,8 +46,13 @@ class PhysicalContact(Protocol):
         ...
 
     @property
-    def speed(self) -> float:
-        """Sliding speed [m/s]."""
+    def speed_sum(self) -> float:
+        """Sum of the surface speeds [m/s], v in Reynolds' equation."""
+        ...
+
+    @property
+    def slide_to_roll(self) -> float:
+        """Difference of the surface speeds over their mean; 2 for a ball that does not turn."""
         ...
 
     def inputs(self) -> dict[str, Any]:

@@ -210,7 +210,7 @@ class Approaches:
         """The inputs together as `softlube.squeeze` takes them, or `slide` with a speed."""
         sliding = names_of([Sliding.slot], StartOfSliding)
         slides = {name: inputs[name] for name in sliding if name in inputs}
-        if slides and not slides.keys() & Sliding.inputs.keys():
+        if slides and not slides.keys() & names_of([Sliding.slot]).keys():
             raise InputError(f"{next(iter(slides))}: only a start of sliding has it; give a speed or leave it out")
         check_one_way(inputs, WRITTEN_WAYS)
         course = self._histories.get(str(inputs.get("history")))

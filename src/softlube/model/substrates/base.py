@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeAlias
 
 from softlube.errors import InputError
-from softlube.model.inputs import NUMBER, PRESSURE, exactly_one, given
+from softlube.model.inputs import LENGTH, NUMBER, PRESSURE, exactly_one, given
 from softlube.model.parts import Part
 
 if TYPE_CHECKING:
@@ -79,9 +79,21 @@ class SubstratePart(Part):
     )
     shear_modulus: float = given("Shear modulus instead", PRESSURE, "1 MPa", default=None)
     poisson_ratio: float = given("Poisson's ratio of the substrate, 0 to 0.5", NUMBER, "0.45", default=0.5, between=(0, 0.5))
+    radius: float | None = given(
+        "Radius of a substrate that is a ball; negative for a cup",
+        LENGTH,
+        "5 mm",
+        default=None,
+        signed=True,
+        absent="flat",
+        remark="or '-5 mm' for a cup",
+        flat="substrate_radius",
+    )
 
     def checked(self, values: dict[str, Any]) -> dict[str, Any]:
         """The values with G alone of the two moduli."""
+        if values["radius"] == 0:
+            raise InputError(f"substrate_radius: zero; expected {self.inputs['radius'].expected}")
         pair = {name: values[name] for name in ("young_modulus", "shear_modulus")}
         exactly_one(pair, self.inputs)
         young = values.pop("young_modulus")
@@ -94,8 +106,21 @@ class SubstratePart(Part):
         """G/(2(1 − ν)) [Pa]: a quarter of the effective modulus E*, and G itself at ν = 1/2, as in the paper."""
         return self.shear_modulus / (2 * (1 - self.poisson_ratio))
 
-    def kernel(self, length_unit: float) -> Substrate:
-        """What the solver sees of it, normalised with a length in the plane [m]."""
+    @property
+    def curvature(self) -> float:
+        """1/R of its surface [1/m]; 0 if it is flat, negative for a cup."""
+        return 0.0 if self.radius is None else 1 / self.radius
+
+    def kernel(self, length_unit: float, share: float = 1.0) -> Substrate:
+        """What the solver sees of it and of an elastic ball on it, whose compliances add.
+
+        Parameters
+        ----------
+        length_unit : float
+            Length in the plane that it is normalised with [m].
+        share : float
+            What part of the compliance of both bodies, were both half-spaces, is the substrate's; 1 under a rigid ball.
+        """
         raise NotImplementedError
 
 

@@ -44,6 +44,9 @@ class LayerKernel(Kernel):
         0 ≤ ν ≤ 1/2.
     base : {"bonded", "frictionless"}
         How it lies on the base.  Without friction ν acts through the effective modulus alone.
+    share : float
+        What part of the compliance of both bodies, were both half-spaces, is the layer's, 0 < share ≤ 1; the rest is that of an
+        elastic ball, which is a half-space.
 
     Raises
     ------
@@ -57,12 +60,15 @@ class LayerKernel(Kernel):
     - bonded: C = [(3 − 4ν) sinh 2κ − 2κ]/[(3 − 4ν) cosh 2κ + 2κ² + 5 − 12ν + 8ν²];
     - frictionless: C = (cosh 2κ − 1)/(sinh 2κ + 2κ).
 
+    The compliances of two bodies add in wavenumber space: share C(κ) + (1 − share), over that of two half-spaces.
+
     Long waves: C → κ (1 − 2ν)/(2(1 − ν)²) bonded and compressible, 2κ³/3 bonded and incompressible, κ/2 frictionless.
     """
 
     thickness: float
     poisson_ratio: float = 0.5
     base: Base = "bonded"
+    share: float = 1.0
     kind: ClassVar[str] = "layer"
     words: ClassVar[str] = "an elastic layer"
 
@@ -71,6 +77,8 @@ class LayerKernel(Kernel):
             raise InputError(f"thickness: expected a positive, finite number, got {self.thickness!r}")
         Layer.inputs["poisson_ratio"].read(self.poisson_ratio)
         Layer.inputs["base"].read(self.base)
+        if not 0 < self.share <= 1:
+            raise InputError(f"share: expected a number above 0 and up to 1, got {self.share!r}")
 
     def in_units(self, unit: float) -> LayerKernel:
         """The same layer with another unit of height, given over the present one."""
@@ -80,7 +88,7 @@ class LayerKernel(Kernel):
         """Wavenumbers k and weights (C(k) − 1) dk."""
         panels = math.ceil(LARGEST_WAVENUMBER * max(SHORTEST_REACH, reach / self.thickness) / PANEL_PHASE)
         kappa, weight = _spectrum(self.poisson_ratio, self.base, panels)
-        return kappa / self.thickness, weight / self.thickness
+        return kappa / self.thickness, self.share * weight / self.thickness
 
     @property
     def remainder(self) -> LayerKernel:
@@ -131,6 +139,7 @@ class LayerKernel(Kernel):
         x -= knot
         cubic, square, slope, here = (c[knot] for c in _remainder_table(self.poisson_ratio, self.base))
         value[near] = ((cubic * x + square) * x + slope) * x + here
+        value *= self.share
         value /= self.thickness
         return value
 
@@ -142,9 +151,19 @@ class Layer(SubstratePart):
     thickness: float = given("Thickness of the substrate, a layer on a rigid base", LENGTH, "2 mm", absent="a half-space")
     base: Base = given("How a layer lies on its base", default="bonded", choices=get_args(Base))
 
-    def kernel(self, length_unit: float) -> LayerKernel:
-        """Its thickness over the unit, its Poisson ratio and its base."""
-        return LayerKernel(self.thickness / length_unit, self.poisson_ratio, self.base)
+    def checked(self, values: dict[str, Any]) -> dict[str, Any]:
+        """The values; a layer on a ball is thinner than the ball is round."""
+        radius = values["radius"]
+        if radius is not None and 0 < radius <= values["thickness"]:
+            raise InputError(
+                f"thickness, substrate_radius: the layer, {values['thickness']:.4g} m thick, fills the ball whose outer radius "
+                f"is {radius:.4g} m; leave the thickness out"
+            )
+        return super().checked(values)
+
+    def kernel(self, length_unit: float, share: float = 1.0) -> LayerKernel:
+        """Its thickness over the unit, its Poisson ratio, its base and its share."""
+        return LayerKernel(self.thickness / length_unit, self.poisson_ratio, self.base, share)
 
 
 def compliance_defect(kappa: Array, poisson_ratio: float = 0.5, base: Base = "bonded") -> Array:
