@@ -8,6 +8,7 @@ import pytest
 import softlube
 from softlube.errors import InputError
 from softlube.model.dry import dry_contact_at
+from softlube.model.exact import HERTZ_LOAD
 from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 from softlube.physical.materials import dry_effect, layer_doubt
 
@@ -94,3 +95,72 @@ def test_a_sphere_that_just_touches_a_layer_is_solved():
     """There is no dry contact, so nothing is said of what the thickness does to it; the master curve was asked all the same."""
     contact = softlube.Contact(**{**BALL, "load": None, "indentation": 0.0}, thickness="2 mm")
     assert contact.solve(accuracy=1e-2).dimensional["film_center"] > 0
+
+
+# --- two bodies -------------------------------------------------------------------------------------------------------
+
+
+def dry(contact):
+    """Radius [m] and indentation [m] of the dry contact, on whatever the bodies are."""
+    found = dry_contact_at(contact.substrate_for(contact.unit_height), load=HERTZ_LOAD)
+    return found.radius * contact.unit_length, found.indentation * contact.unit_height
+
+
+def test_two_half_spaces_and_two_curvatures_are_hertz_s():
+    """a³ = 3NR/(4E*) and δ = a²/R, Johnson 1985, Eqs. (4.22) and (4.23)."""
+    contact = softlube.Contact(
+        **BALL | {"young_modulus": "64 GPa"},
+        poisson_ratio=0.2,
+        ball_young_modulus="210 GPa",
+        ball_poisson_ratio=0.3,
+        substrate_radius="5 mm",
+    )
+    modulus = 1 / ((1 - 0.3**2) / 210e9 + (1 - 0.2**2) / 64e9)
+    radius = 1 / (1 / 2e-3 + 1 / 5e-3)
+    assert 4 * contact.contact_modulus == pytest.approx(modulus, rel=1e-14)
+    assert contact.reduced_radius == pytest.approx(radius, rel=1e-14)
+    width = (3 * 0.1 * radius / (4 * modulus)) ** (1 / 3)
+    assert dry(contact) == pytest.approx((width, width**2 / radius), rel=1e-12)
+
+
+def test_bodies_may_be_swapped():
+    one = {"young_modulus": "1 MPa", "poisson_ratio": 0.4, "ball_young_modulus": "7 MPa", "ball_poisson_ratio": 0.2}
+    two = {"young_modulus": "7 MPa", "poisson_ratio": 0.2, "ball_young_modulus": "1 MPa", "ball_poisson_ratio": 0.4}
+    first = softlube.Contact(**BALL | one | {"radius": "2 mm", "substrate_radius": "5 mm"})
+    second = softlube.Contact(**BALL | two | {"radius": "5 mm", "substrate_radius": "2 mm"})
+    assert first.problem().beta_load == pytest.approx(second.problem().beta_load, rel=1e-13)
+
+
+@pytest.mark.parametrize("thickness", [None, "0.2 mm"])
+def test_a_ball_of_growing_modulus_is_the_rigid_one(thickness):
+    layer = {"thickness": thickness, "poisson_ratio": 0.45}
+    rigid = dry(softlube.Contact(**BALL, **layer))
+    off = [dry(softlube.Contact(**BALL, **layer, ball_young_modulus=modulus))[1] / rigid[1] - 1 for modulus in (3e9, 3e12, 3e17)]
+    assert off[0] > 5e-4  # by the ratio of the compliances
+    assert off[1] == pytest.approx(off[0] / 1e3, rel=0.01)
+    assert abs(off[2]) < 1e-10
+
+
+def test_a_growing_thickness_gives_two_half_spaces():
+    balls = BALL | {"ball_young_modulus": "5 MPa", "ball_poisson_ratio": 0.3}
+    two = dry(softlube.Contact(**balls))
+    off = [dry(softlube.Contact(**balls, thickness=thickness))[1] / two[1] - 1 for thickness in (1e2, 1e4, 1e8)]
+    assert off[1] == pytest.approx(off[0] / 100, rel=0.01)
+    assert abs(off[2]) < 1e-10
+
+
+def test_a_soft_ball_on_a_thin_layer_hardly_feels_it():
+    """share → 0: the layer's compliance is the small one, and the ball's Hertz contact on a rigid flat is left."""
+    contact = softlube.Contact(**BALL | {"young_modulus": "3 GPa"}, thickness="20 um", ball_young_modulus="3 MPa")
+    mirrored = softlube.Contact(**BALL)
+    assert contact.substrate_share == pytest.approx(1e-3, rel=2e-3)
+    assert dry(contact) == pytest.approx(dry(mirrored), rel=1e-3)
+
+
+def test_a_sphere_must_fit_into_its_cup():
+    cup = softlube.Contact(**BALL, substrate_radius="-4 mm")
+    assert cup.reduced_radius == pytest.approx(4e-3)
+    assert cup.bearing_radius == pytest.approx(2e-3)
+    for radius in ("-2 mm", "-1 mm"):
+        with pytest.raises(InputError, match=r"substrate_radius: a cup must be wider than the sphere, of 0\.002 m; got -0\.00"):
+            softlube.Contact(**BALL, substrate_radius=radius)

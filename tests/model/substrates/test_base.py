@@ -3,6 +3,7 @@
 import pytest
 
 from softlube.errors import InputError
+from softlube.model.parts import resolve
 from softlube.model.substrates import HalfSpace, Layer, from_plain
 
 
@@ -21,3 +22,13 @@ def test_either_modulus():
 def test_unknown_kinds_are_refused():
     with pytest.raises(InputError, match="substrate: no 'jelly' is known; expected 'half-space' or 'layer'"):
         from_plain({"kind": "jelly"})
+
+
+def test_a_substrate_may_be_a_ball_or_a_cup():
+    assert HalfSpace(3e6).curvature == 0
+    ball = HalfSpace(3e6, radius="5 mm")
+    assert ball.curvature == pytest.approx(200)
+    assert resolve(["substrate"], {"young_modulus": 3e6, "substrate_radius": "5 mm", "radius": "2 mm"})["substrate"] == ball
+    assert HalfSpace(3e6, radius="-5 mm").curvature == pytest.approx(-200)
+    with pytest.raises(InputError, match="substrate_radius: zero; expected a length such as '5 mm', or '-5 mm' for a cup"):
+        HalfSpace(3e6, radius=0)

@@ -9,7 +9,7 @@ import softlube
 from softlube.discretization.elasticity import elastic_operator
 from softlube.discretization.grid import PolarGrid
 from softlube.model.problem import Problem
-from softlube.model.substrates import HalfSpaceKernel, LayerKernel, from_plain, to_plain
+from softlube.model.substrates import HalfSpaceKernel, Layer, LayerKernel, from_plain, to_plain
 from softlube.model.substrates.layer import compliance_defect
 from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
@@ -116,6 +116,29 @@ def test_errors_cover_the_change_on_a_finer_grid(substrate):
         if abs(value - fine.quantities[name]) > value.error + fine.quantities[name].error
     ]
     assert len(missed) <= 1, missed  # the promise is 95 %
+
+
+def test_compliances_of_two_bodies_add_in_wavenumber_space():
+    """The layer's remainder times its share, in the spectrum and on rings; nothing but that."""
+    alone, shared = LayerKernel(0.7, 0.4), LayerKernel(0.7, 0.4, share=0.3)
+    (k, whole), (_, part) = alone.spectrum(4.0), shared.spectrum(4.0)
+    assert part == pytest.approx(0.3 * whole, rel=1e-14)
+    assert 1 + part / whole * compliance_defect(k * 0.7, 0.4) == pytest.approx(
+        0.3 * (1 + compliance_defect(k * 0.7, 0.4)) + 0.7, rel=1e-14
+    )
+    places = np.arange(3), np.array([0.4]), np.array([1.1])
+    assert shared.ring_remainder(*places) == pytest.approx(0.3 * alone.ring_remainder(*places), rel=1e-14)
+    assert from_plain(to_plain(shared)) == shared
+    assert from_plain({"kind": "layer", "thickness": 0.7, "poisson_ratio": 0.4, "base": "bonded"}) == alone
+    with pytest.raises(softlube.InputError, match="share: expected a number above 0"):
+        LayerKernel(0.7, share=0.0)
+
+
+def test_a_layer_is_thinner_than_the_ball_it_lies_on():
+    assert Layer(3e6, thickness="1 mm", radius="5 mm").curvature == pytest.approx(200)
+    assert Layer(3e6, thickness="9 mm", radius="-5 mm").curvature == pytest.approx(-200)
+    with pytest.raises(softlube.InputError, match="thickness, substrate_radius: the layer, 0.005 m thick, fills the ball"):
+        Layer(3e6, thickness="5 mm", radius="5 mm")
 
 
 FINE = {  # at 64 angles, on meshes that were graded otherwise
