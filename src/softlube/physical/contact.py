@@ -32,6 +32,7 @@ from softlube.physical.materials import (
     dry_effect,
     layer_doubt,
 )
+from softlube.physical.rolling import at_slide_to_roll
 from softlube.physical.roughness import FULL_FILM, lambda_ratio, lubrication
 from softlube.solvers.progress import Listener
 from softlube.steady.regime import Regime
@@ -151,10 +152,10 @@ class Contact(Materials):
             assert self.indentation is not None
             sign = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
             problem = Problem(beta=beta, cavitation=self.cavitation, height=sign, **models)
-        if (radius := self._dry_radius(problem)) > self.radius:
+        if (radius := self._dry_radius(problem)) > self.bearing_radius:
             name = "load" if self.load is not None else "indentation"
             raise InputError(
-                f"{name}: makes a contact of radius {radius / self.radius:.2g} R, wider than the sphere; the model is for "
+                f"{name}: makes a contact of radius {radius / self.bearing_radius:.2g} R, wider than the sphere; the model is for "
                 f"contacts up to about {LARGEST_SLOPE} R. Check the units of radius, modulus and {name}"
             )
         return problem
@@ -200,7 +201,11 @@ class Contact(Materials):
         return replace(solution, contact=self, dimensional=dimensional, warnings=solution.warnings + doubts)
 
     def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
-        """Quantities of `problem` in SI, Eqs. (4) and (26)."""
+        """Quantities of `problem` in SI, Eqs. (4) and (26).
+
+        A problem knows no slide-to-roll ratio, its frictions are those of a ball that does not turn; here they are those of the
+        motion, see `softlube.physical.rolling.at_slide_to_roll`.
+        """
         units = {dimension: value for dimension, (value, _) in self.scales(self.unit_height).items()}
         height, length = units["height"], units["length"]
         units |= {"pressure_gradient": units["pressure"] / length, "shear_rate": self.speed_sum / height}
@@ -211,6 +216,7 @@ class Contact(Materials):
                 result[name] = quantity.scaled(units[row.dimension], row.unit.si)
         if self.load is not None:
             result["load"] = Quantity(self.load, 0.0, "N")
+        result = at_slide_to_roll(result, self.slide_to_roll)
         friction, load = result["friction_total"], result["load"]
         coefficient = friction / load
         result["indentation"] = Quantity(-height * float(quantities["height"]), height * quantities["height"].error, "m")
@@ -229,10 +235,11 @@ class Contact(Materials):
         gap = max(-float(dimensional["indentation"]), 0.0)
         lifted = gap > 0
         # Over a gap the pressure is as wide as the parabola stays close.
-        radius = math.sqrt(2 * self.radius * gap) if lifted else float(dimensional.get("contact_radius", self.unit_length))
-        if radius > LARGEST_SLOPE * self.radius:
+        reach = math.sqrt(2 * self.reduced_radius * gap)
+        radius = reach if lifted else float(dimensional.get("contact_radius", self.unit_length))
+        if radius > LARGEST_SLOPE * self.bearing_radius:
             doubts.append(
-                f"the {'pressure reaches' if lifted else 'contact radius is'} {radius / self.radius:.2g} R: beyond "
+                f"the {'pressure reaches' if lifted else 'contact radius is'} {radius / self.bearing_radius:.2g} R: beyond "
                 f"{LARGEST_SLOPE} R linear elasticity and the parabolic sphere are in doubt"
             )
         if self.roughness is not None and (ratio := float(dimensional["lambda_ratio"])) < FULL_FILM:
@@ -240,8 +247,8 @@ class Contact(Materials):
                 f"the minimum film is {ratio:.2g} times the roughness ({lubrication(ratio)} lubrication, full film from "
                 f"{FULL_FILM:g} on): asperities touch, which the model leaves out"
             )
-        stress = float(dimensional["friction_contact"]) / (math.pi * radius**2)
-        share = float(dimensional["friction_contact"] / dimensional["load_contact"])
+        shear = float(dimensional["friction_contact" if self.slide_to_roll == FIXED_BALL else "friction_domain"])
+        stress, share = abs(shear) / (math.pi * radius**2), abs(shear) / float(dimensional["load_contact"])
         if not lifted and share > LARGEST_TRACTION and stress > NEWTONIAN_STRESS:
             doubts.append(
                 f"the mean shear stress, {stress:.2g} Pa, is {share:.2g} times the mean pressure: above {LARGEST_TRACTION} no "
