@@ -53,3 +53,10 @@ def test_flow_refuses_bad_input(tmp_path, monkeypatch, capsys, arguments, messag
     assert main(["flow", *arguments]) == 2
     assert message in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_flow_under_a_ball_that_turns_is_refused(tmp_path, capsys):
+    rolling = ["--entrainment-speed" if each == "--speed" else each for each in BALL]
+    assert main(["flow", *rolling, "--slide-to-roll", "0", "--plot", str(tmp_path / "flow.png")]) == 2
+    assert "--slide-to-roll: velocities and stresses are drawn for a ball that does not turn" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

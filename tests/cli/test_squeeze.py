@@ -86,6 +86,7 @@ def test_a_start_of_sliding(capsys, tmp_path):
         (["--speed", "1 mm/s", "--plot", "h.bmp"], "--plot"),
         (["--pressed", "1 s"], "--pressed"),
         (["--cavitation", "none"], "--cavitation"),
+        (["--entrainment-speed", "1 mm/s"], "--entrainment-speed: a start of rolling is not solved"),
     ],
 )
 def test_bad_combinations_on_the_command_line(capsys, options, text):

@@ -26,6 +26,7 @@ def test_refused():
     for change, message in (
         ({}, "speed: missing"),
         ({"speed": "1 mm/s", "pressed": "-1 s"}, "pressed: expected a positive time"),
+        ({"entrainment_speed": "1 mm/s"}, "entrainment_speed: a start of rolling is not solved; give the speed"),
         ({"speed": "1 mm/s", "cavitation": "jfo"}, "cavitation: expected 'reynolds' or 'none'"),
     ):
         with pytest.raises(InputError, match=message):

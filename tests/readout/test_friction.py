@@ -36,6 +36,35 @@ def test_the_half_space_does_not_drag_itself(solution, solutions):
         assert abs(friction.split(case, 1.0).substrate_pressure) > 0.03 * whole.drag
 
 
+BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "load": "100 mN"}
+RIGS = {
+    "layer": {"thickness": "0.4 mm", "poisson_ratio": 0.45, "speed": "1 mm/s"},
+    "oil": {"pressure_viscosity": "4 MPa^-1", "speed": "0.3 mm/s"},
+    "two bodies": {"ball_young_modulus": "5 MPa", "ball_poisson_ratio": 0.3, "substrate_radius": "-5 mm", "speed": "1 mm/s"},
+    "all": {
+        "thickness": "0.2 mm",
+        "ball_young_modulus": "5 MPa",
+        "ball_poisson_ratio": 0.3,
+        "substrate_radius": "5 mm",
+        "pressure_viscosity": "4 MPa^-1",
+        "entrainment_speed": "0.5 mm/s",
+        "slide_to_roll": 0.4,
+    },
+}
+
+
+@pytest.mark.parametrize("rig", RIGS)
+def test_forces_on_the_ball_balance_whatever_the_bodies_and_the_liquid(rig):
+    """The shear on the ball with the pressure's push is the shear on the substrate, because neither body drags itself."""
+    solution = softlube.Contact(**BALL | RIGS[rig]).solve(accuracy=1e-2)
+    whole = friction.split(solution, float(solution.fields.r[-1]))
+    assert abs(whole.imbalance) < 1e-6
+    assert abs(whole.substrate_pressure) < 1e-4 * whole.drag
+    assert whole.drag == pytest.approx(whole.substrate + whole.edge, rel=1e-4)
+    # each part is much larger than what is left
+    assert abs(whole.sphere_pressure) > 0.01 * whole.drag
+
+
 def test_edge_force_of_the_far_field(solutions):
     """Far out p = (4/5β) cos θ/r³ and u = r²/2 leave 6∮pu cos θ ds = 2.4π/β, without decay."""
     full = solutions[1]

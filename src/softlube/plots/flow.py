@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
+from softlube.model.motions import FIXED_BALL
 from softlube.plots.solution import FILM_COLOUR, PRESSURE_COLOUR, STYLE, over_unit
 from softlube.readout import flow
 from softlube.readout.free_boundary import free_boundary, is_wet
@@ -197,6 +198,11 @@ def picture(solution: Solution, *, level: float | None = None) -> tuple[Figure, 
     Returns
     -------
     matplotlib Figure, and the data of each panel
+
+    Raises
+    ------
+    InputError
+        If the level is none, or the ball turns: the velocities of `softlube.flow` are those under a ball that slides.
     """
     import matplotlib as mpl
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -204,6 +210,11 @@ def picture(solution: Solution, *, level: float | None = None) -> tuple[Figure, 
 
     if level is not None and not 0 <= level <= 1:
         raise InputError(f"level: expected a share of the film between 0 (substrate) and 1 (sphere), got {level!r}")
+    if solution.contact is not None and solution.contact.slide_to_roll != FIXED_BALL:
+        raise InputError(
+            f"slide_to_roll: velocities and stresses are drawn for a ball that does not turn, {FIXED_BALL:g}; got "
+            f"{solution.contact.slide_to_roll:g}, which changes neither film nor pressure: softlube solve --plot draws those"
+        )
     length, unit = _length_scale(solution)
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(6.9, 6.2), layout="constrained")

@@ -1,0 +1,67 @@
+"""Random rigs with layers, oils, two elastic bodies and rolling: one answer, whichever command is asked."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import softlube
+from softlube.cli.main import main
+from softlube.model.quantities import header
+from softlube.physical.inputs import declared
+
+ACCURACY = 1e-2
+
+
+def random_rigs(count, seed=17):
+    """Inputs in SI, by names: balls of millimetres on layers of about their contact's size, soft with thin oils."""
+    random = np.random.default_rng(seed)
+
+    def spread(low, high):
+        return np.exp(random.uniform(math.log(low), math.log(high), count))
+
+    radius, young, load = spread(1e-3, 2e-2), spread(5e5, 2e7), spread(1e-2, 2.0)
+    contact = (9 * load * radius / (16 * young)) ** (1 / 3)  # Hertz, E* = 4E/3
+    pressure = 1.5 * load / (math.pi * contact**2)
+    return {
+        "radius": radius,
+        "substrate_radius": random.choice([-1, 1], count) * radius * spread(1.5, 20),
+        "young_modulus": young,
+        "poisson_ratio": random.uniform(0.3, 0.5, count),
+        "thickness": contact * spread(0.5, 1.4),
+        "base": random.choice(["bonded", "frictionless"], count),
+        "ball_young_modulus": young * spread(0.5, 300),
+        "ball_poisson_ratio": random.uniform(0.2, 0.5, count),
+        "viscosity": spread(0.05, 5),
+        "pressure_viscosity": spread(0.05, 2) / pressure,
+        "viscosity_law": random.choice(["barus", "roelands"], count),
+        "entrainment_speed": spread(3e-5, 3e-3),
+        "slide_to_roll": random.uniform(-2, 2, count),
+        "load": load,
+    }
+
+
+def check(count, capsys):
+    """Every quantity in SI and its error, of ``softlube solve`` and of a sweep, for as many rigs."""
+    rigs = {name: values.tolist() for name, values in random_rigs(count).items()}
+    table = softlube.sweep(rigs, combine="zip", accuracy=ACCURACY, workers=1).table
+    assert len(table) == count
+    for row in range(count):
+        given = {name: f"{values[row]} {declared()[name].unit}" for name, values in rigs.items()}
+        options = [text for name, value in given.items() for text in (f"--{name.replace('_', '-')}", value.strip())]
+        assert main(["solve", *options, "--accuracy", str(ACCURACY), "--json"]) == 0
+        for name, quantity in json.loads(capsys.readouterr().out)["dimensional"].items():
+            for key, error in (("value", False), ("error", True)):
+                swept = table.loc[row, header(name, quantity["unit"], error=error)]
+                expected = np.nan if quantity[key] is None else quantity[key]
+                assert swept == pytest.approx(expected, rel=1e-6, nan_ok=True), (row, name)
+
+
+def test_one_answer_to_three_random_rigs(capsys):
+    check(3, capsys)
+
+
+@pytest.mark.slow
+def test_one_answer_to_twenty_random_rigs(capsys):
+    check(20, capsys)
