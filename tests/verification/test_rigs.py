@@ -15,28 +15,36 @@ ACCURACY = 1e-2
 
 
 def random_rigs(count, seed=17):
-    """Inputs in SI, by names: balls of millimetres on layers of about their contact's size, soft with thin oils."""
+    """Inputs in SI, by names: soft rubbers under a liquid of Barus, and ceramics under an oil of Roelands, by turns.
+
+    Layers are about as thick as their contact is wide, αp is up to 2, and β_load is some 30 to 30,000.
+    """
     random = np.random.default_rng(seed)
+    soft = np.arange(count) % 2 == 0
 
     def spread(low, high):
         return np.exp(random.uniform(math.log(low), math.log(high), count))
 
-    radius, young, load = spread(1e-3, 2e-2), spread(5e5, 2e7), spread(1e-2, 2.0)
-    contact = (9 * load * radius / (16 * young)) ** (1 / 3)  # Hertz, E* = 4E/3
-    pressure = 1.5 * load / (math.pi * contact**2)
+    radius, exponent = spread(1e-3, 2e-2), spread(0.05, 2)
+    young = np.where(soft, spread(5e5, 2e7), spread(2e10, 4e11))
+    pressure = np.where(soft, young * spread(0.02, 0.2), exponent / 2e-8)
+    modulus = 4 / 3 * young  # E* of a rigid ball on an incompressible half-space
+    load = (math.pi * pressure) ** 3 * radius**2 / (6 * modulus**2)
+    width = (3 * load * radius / (4 * modulus)) ** (1 / 3)
+    viscosity = spread(0.05, 5)
     return {
         "radius": radius,
         "substrate_radius": random.choice([-1, 1], count) * radius * spread(1.5, 20),
         "young_modulus": young,
         "poisson_ratio": random.uniform(0.3, 0.5, count),
-        "thickness": contact * spread(0.5, 1.4),
+        "thickness": width * spread(0.5, 1.4),
         "base": random.choice(["bonded", "frictionless"], count),
         "ball_young_modulus": young * spread(0.5, 300),
         "ball_poisson_ratio": random.uniform(0.2, 0.5, count),
-        "viscosity": spread(0.05, 5),
-        "pressure_viscosity": spread(0.05, 2) / pressure,
-        "viscosity_law": random.choice(["barus", "roelands"], count),
-        "entrainment_speed": spread(3e-5, 3e-3),
+        "viscosity": viscosity,
+        "pressure_viscosity": exponent / pressure,
+        "viscosity_law": np.where(soft, "barus", "roelands"),
+        "entrainment_speed": math.pi * modulus * width**4 / (12 * radius**3 * viscosity * spread(30, 3e4)),
         "slide_to_roll": random.uniform(-2, 2, count),
         "load": load,
     }

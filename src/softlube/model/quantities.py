@@ -278,7 +278,7 @@ TRANSIENT = _table(
 FIELDS = _table(
     Definition("pressure", "pressure", "p", "pressure", "6"),
     Definition("film", "film thickness", "u", "height", "6"),
-    Definition("displacement", "surface displacement of the substrate", "w", "height", "6"),
+    Definition("displacement", "surface displacement, the sum of both bodies'", "w", "height", "6"),
     Definition("r", "distance from the axis", "r", "length"),
 )
 """Functions of position in pictures and files."""

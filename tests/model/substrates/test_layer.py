@@ -71,9 +71,11 @@ def test_kernel_against_the_hankel_transform(layer, r, source):
         assert remainder[m] == pytest.approx(expected, abs=2e-8 / layer.thickness)
 
 
-@pytest.mark.parametrize("layer", [LayerKernel(0.7), LayerKernel(0.4, 0.3), LayerKernel(0.5, 0.0, "frictionless")])
+@pytest.mark.parametrize(
+    "layer", [LayerKernel(0.7), LayerKernel(0.4, 0.3), LayerKernel(0.5, 0.0, "frictionless"), LayerKernel(0.3, share=0.6)]
+)
 def test_displacement_under_a_gaussian(layer):
-    """Against w = −2π∫ C p̃ J₀(kr) dk with p̃ = e^(−k²/4)/2."""
+    """Against w = −2π∫ [share C + (1 − share)] p̃ J₀(kr) dk with p̃ = e^(−k²/4)/2."""
     grid = PolarGrid(54, 8, edge_width=0.3)
     pressure = np.exp(-(np.repeat(grid.r, 9) ** 2))
     ours = elastic_operator(grid, "none", layer.remainder).deflection(pressure).reshape(grid.shape)[:, 0]
@@ -81,7 +83,7 @@ def test_displacement_under_a_gaussian(layer):
 
         def wave(k, r=grid.r[i]):
             defect = compliance_defect(np.array(k * layer.thickness), layer.poisson_ratio, layer.base)
-            return np.pi * (1 + defect) * np.exp(-(k**2) / 4) * j0(k * r)
+            return np.pi * (1 + layer.share * defect) * np.exp(-(k**2) / 4) * j0(k * r)
 
         assert ours[i] == pytest.approx(quad(wave, 1e-9, 15, limit=400)[0], abs=3e-5)
 
