@@ -25,5 +25,5 @@ def test_an_elastic_ball_has_names_of_its_own_among_the_inputs_of_an_experiment(
 def test_a_ratio_means_nothing_without_a_modulus():
     with pytest.raises(InputError, match="ball_poisson_ratio, ball_young_modulus: the first means nothing without the second"):
         Sphere("2 mm", poisson_ratio=0.3)
-    with pytest.raises(InputError, match="ball_young_modulus: .*expected a pressure such as '210 GPa'"):
+    with pytest.raises(InputError, match=r"ball_young_modulus: .*expected a pressure such as '210 GPa'"):
         Sphere("2 mm", young_modulus="64 mm")

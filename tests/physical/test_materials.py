@@ -135,7 +135,9 @@ def test_bodies_may_be_swapped():
 def test_a_ball_of_growing_modulus_is_the_rigid_one(thickness):
     layer = {"thickness": thickness, "poisson_ratio": 0.45}
     rigid = dry(softlube.Contact(**BALL, **layer))
-    off = [dry(softlube.Contact(**BALL, **layer, ball_young_modulus=modulus))[1] / rigid[1] - 1 for modulus in (3e9, 3e12, 3e17)]
+    off = [
+        dry(softlube.Contact(**BALL, **layer, ball_young_modulus=modulus))[1] / rigid[1] - 1 for modulus in (3e9, 3e12, 3e17)
+    ]
     assert off[0] > 5e-4  # by the ratio of the compliances
     assert off[1] == pytest.approx(off[0] / 1e3, rel=0.01)
     assert abs(off[2]) < 1e-10
@@ -150,7 +152,7 @@ def test_a_growing_thickness_gives_two_half_spaces():
 
 
 def test_a_soft_ball_on_a_thin_layer_hardly_feels_it():
-    """share → 0: the layer's compliance is the small one, and the ball's Hertz contact on a rigid flat is left."""
+    """Share → 0: the layer's compliance is the small one, and the ball's Hertz contact on a rigid flat is left."""
     contact = softlube.Contact(**BALL | {"young_modulus": "3 GPa"}, thickness="20 um", ball_young_modulus="3 MPa")
     mirrored = softlube.Contact(**BALL)
     assert contact.substrate_share == pytest.approx(1e-3, rel=2e-3)

@@ -75,3 +75,16 @@ def test_doubts(fall):
     assert any("inertia" in doubt for doubt in fall.setup.doubts(fast))
     deep = type(extremes)(**vars(extremes) | {"least_height": -3e-4})
     assert any("linear elasticity" in doubt for doubt in fall.setup.doubts(deep))
+
+
+def test_two_bodies_are_squeezed_as_the_one_that_they_make_up():
+    """E* of both moduli and R of both curvatures, on a rigid ball and an incompressible half-space with G = E*/4."""
+    two = FALL | {"ball_young_modulus": "5 MPa", "ball_poisson_ratio": 0.3, "poisson_ratio": 0.4, "substrate_radius": "-5 mm"}
+    modulus, radius = 1 / ((1 - 0.3**2) / 5e6 + (1 - 0.4**2) / 3e6), 1 / (1 / 2e-3 - 1 / 5e-3)
+    one = FALL | {"young_modulus": None, "shear_modulus": modulus / 4, "radius": radius}
+    (setup, motion), (expected, _) = read_motion(two), read_motion(one)
+    assert setup.unit_height == pytest.approx(expected.unit_height, rel=1e-13)
+    for name, (value, unit) in expected.units.items():
+        assert setup.units[name] == (pytest.approx(value, rel=1e-13), unit)
+    assert read_motion(two | {"thickness": "1 mm"})[1].substrate.share == pytest.approx(modulus * (1 - 0.4**2) / 3e6, rel=1e-13)
+    assert motion.drive(0.0) == pytest.approx(HERTZ_LOAD, rel=1e-12)

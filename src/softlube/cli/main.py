@@ -35,8 +35,8 @@ app.command(
     name="solve",
     help="""Solve one contact and print film thickness, pressure and friction with their errors.
 
-    Give --radius, --viscosity, --speed, one of --young-modulus and --shear-modulus, and one of --load and --indentation; or
-    --beta (or --beta-load) alone for the dimensionless problem.""",
+    Give --radius, --viscosity, --speed or --entrainment-speed, one of --young-modulus and --shear-modulus, and one of --load
+    and --indentation; or --beta (or --beta-load) alone for the dimensionless problem.""",
 )
 app.command("softlube.cli.sweep:sweep", name="sweep", help="Solve many contacts or squeeze films; every finished one is kept.")
 app.command("softlube.cli.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")

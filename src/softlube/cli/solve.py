@@ -35,8 +35,8 @@ def solve(
 ) -> int:
     """Solve one contact and print film thickness, pressure and friction with their errors.
 
-    Give --radius, --viscosity, --speed, one of --young-modulus and --shear-modulus, and one of --load and --indentation; or
-    --beta (or --beta-load) alone for the dimensionless problem.
+    Give --radius, --viscosity, --speed or --entrainment-speed, one of --young-modulus and --shear-modulus, and one of --load
+    and --indentation; or --beta (or --beta-load) alone for the dimensionless problem.
 
     Parameters
     ----------
@@ -151,13 +151,10 @@ def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: s
     if as_json:
         import json
 
-        plain = {key: {"value": float(q), "error": q.error} for key, q in quantities.items()}
         result: dict[str, Any] = {"inputs": inputs, name: problem.parameter, "cavitation": cavitation, "method": "curve"}
-        result["quantities"] = plain
+        result["quantities"] = {key: q.plain() for key, q in quantities.items()}
         if contact is not None:
-            result["dimensional"] = {
-                key: {"value": float(q), "error": q.error, "unit": q.unit} for key, q in dimensional.items()
-            }
+            result["dimensional"] = {key: q.plain() | {"unit": q.unit} for key, q in dimensional.items()}
         print(json.dumps(result | {"warnings": list(doubts)}, allow_nan=False), flush=True)
         return 0
     from rich.console import Console
@@ -234,18 +231,26 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
 def _region(solution: Solution) -> str:
     """How the total friction depends on the region over which it is counted."""
     from softlube.discretization.measure import DOMAIN
+    from softlube.model.motions import FIXED_BALL
     from softlube.readout.friction import total_within
     from softlube.steady.regime import Regime
 
-    counted = float(solution.quantities["friction_total"])
+    contact, counted, ratio = solution.contact, float(solution.quantities["friction_total"]), FIXED_BALL
+    if contact is not None:
+        ratio = contact.slide_to_roll
+        counted = float(solution.dimensional["friction_total"]) / contact.scales(contact.unit_height)["friction"][0]
     if counted != counted:  # a spike that no grid resolves
         return "The friction is not given, see the warning."
     edge = Regime.of(solution.problem).edge_radius
-    more = [f"over r ≤ {2 * DOMAIN:g}a {total_within(solution, 2 * DOMAIN * edge) / counted - 1:+.1%}"]
-    if solution.contact is not None:
-        radius = solution.contact.radius / solution.contact.unit_length
-        more.append(f"over r ≤ R about {total_within(solution, radius) / counted - 1:+.0%}")
+    more = [f"over r ≤ {2 * DOMAIN:g}a {total_within(solution, 2 * DOMAIN * edge, ratio) / counted - 1:+.1%}"]
+    if contact is not None:
+        more.append(
+            f"over r ≤ R about {total_within(solution, contact.radius / contact.unit_length, ratio) / counted - 1:+.0%}"
+        )
+    turns = " Where the ball turns, the shear on it over r ≤ a and the largest shear rate are not known." * (
+        ratio != FIXED_BALL
+    )
     return (
         f"A force sensor reads the total friction, over all the liquid in the gap: here r ≤ {DOMAIN:g}a; {', '.join(more)}. "
-        "The shear on the ball alone is the paper's friction, Eq. (27a)."
+        "The shear on the ball alone is the paper's friction, Eq. (27a)." + turns
     )

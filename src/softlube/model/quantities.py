@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import takewhile
+from math import isfinite
 
 BOUNDARY_LAYER_LEVEL = 0.05
 """p/p_max at the end of the inlet boundary layer, Eq. (21)."""
@@ -46,6 +47,10 @@ class Quantity(float):
     def scaled(self, factor: float, unit: str = "") -> Quantity:
         """Value and error times a positive factor, in another unit."""
         return Quantity(factor * float(self), factor * self.error, unit)
+
+    def plain(self) -> dict[str, float | None]:
+        """Value and error for JSON, which has no nan: None where a number is not known."""
+        return {name: each if isfinite(each) else None for name, each in (("value", float(self)), ("error", self.error))}
 
     def __repr__(self) -> str:
         return f"{float(self):.6g} ± {self.error:.1g}" + (f" {self.unit}" if self.unit else "")

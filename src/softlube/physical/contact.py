@@ -155,8 +155,8 @@ class Contact(Materials):
         if (radius := self._dry_radius(problem)) > self.bearing_radius:
             name = "load" if self.load is not None else "indentation"
             raise InputError(
-                f"{name}: makes a contact of radius {radius / self.bearing_radius:.2g} R, wider than the sphere; the model is for "
-                f"contacts up to about {LARGEST_SLOPE} R. Check the units of radius, modulus and {name}"
+                f"{name}: makes a contact of radius {radius / self.bearing_radius:.2g} R, wider than the sphere; the model is "
+                f"for contacts up to about {LARGEST_SLOPE} R. Check the units of radius, modulus and {name}"
             )
         return problem
 

@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.measure import friction_parts, integrate
 from softlube.model.exact import far_field_profile
+from softlube.model.motions import FIXED_BALL
 from softlube.steady.solution import Solution
 
 Array = NDArray[np.floating]
@@ -133,7 +134,7 @@ def against_cutoff(solution: Solution, cutoffs: ArrayLike) -> list[FrictionSplit
     return [split(solution, float(cutoff)) for cutoff in np.ravel(cutoffs)]
 
 
-def total_within(solution: Solution, cutoff: float) -> float:
+def total_within(solution: Solution, cutoff: float, slide_to_roll: float = FIXED_BALL) -> float:
     """Total friction over r ≤ cutoff, in units of (2π/3) G h₀²: what a force sensor reads if the liquid reaches that far.
 
     Beyond the mesh, where the sphere has left the substrate's deformation behind, the gap is r²/2 and a constant, so that the
@@ -145,11 +146,13 @@ def total_within(solution: Solution, cutoff: float) -> float:
         Where to integrate.
     cutoff : float
         Radius in units of the solution's unit of length.
+    slide_to_roll : float
+        S, see `softlube.Rolling`: the Couette part is S/2 times that of a ball that does not turn.
     """
     fields = solution.fields
     reach = min(cutoff, float(fields.r[-1]))
     couette, poiseuille = friction_parts(fields, reach)
-    total = couette + solution.friction_missed(reach) - poiseuille
+    couette += solution.friction_missed(reach)
     if cutoff > reach:
         gap = (
             float(
@@ -159,8 +162,8 @@ def total_within(solution: Solution, cutoff: float) -> float:
             )
             / np.pi
         )
-        total += 2 * np.pi / fields.beta * np.log1p((cutoff**2 - reach**2) / (2 * gap))
-    return float(total)
+        couette += 2 * np.pi / fields.beta * np.log1p((cutoff**2 - reach**2) / (2 * gap))
+    return float(couette * slide_to_roll / 2 - poiseuille)
 
 
 @dataclass(frozen=True)

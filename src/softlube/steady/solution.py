@@ -178,16 +178,13 @@ class Solution:
         """Numbers only, ready for JSON."""
 
         def plain(quantities: Mapping[str, Quantity], unit: bool) -> dict[str, dict[str, Any]]:
-            return {
-                name: {"value": _number(q.value), "error": _number(q.error), **({"unit": q.unit} if unit else {})}
-                for name, q in quantities.items()
-            }
+            return {name: q.plain() | ({"unit": q.unit} if unit else {}) for name, q in quantities.items()}
 
         result = {
             "beta": self.beta,
             "beta_load": self.beta_load,
             "cavitation": self.problem.cavitation,
-            "accuracy": _number(self.accuracy),
+            "accuracy": self.accuracy if np.isfinite(self.accuracy) else None,
             "method": self.method,
             "quantities": plain(self.quantities, unit=False),
         }
@@ -206,7 +203,3 @@ class Solution:
         from softlube.plots.solution import plot
 
         return plot(self, path)
-
-
-def _number(x: float) -> float | None:
-    return float(x) if np.isfinite(x) else None

@@ -139,7 +139,7 @@ def test_compliances_of_two_bodies_add_in_wavenumber_space():
 def test_a_layer_is_thinner_than_the_ball_it_lies_on():
     assert Layer(3e6, thickness="1 mm", radius="5 mm").curvature == pytest.approx(200)
     assert Layer(3e6, thickness="9 mm", radius="-5 mm").curvature == pytest.approx(-200)
-    with pytest.raises(softlube.InputError, match="thickness, substrate_radius: the layer, 0.005 m thick, fills the ball"):
+    with pytest.raises(softlube.InputError, match=r"thickness, substrate_radius: the layer, 0\.005 m thick, fills the ball"):
         Layer(3e6, thickness="5 mm", radius="5 mm")
 
 
