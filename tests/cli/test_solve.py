@@ -164,3 +164,24 @@ def test_no_convergence_exits_3_and_writes_nothing(capsys, tmp_path):
 def test_the_report_says_how_accurate_the_minimum_film_was_asked_to_be(beta, times, capsys):
     assert main(["solve", "--beta-load", beta, "--accuracy", "1e-2"]) == 0
     assert times in capsys.readouterr().out
+
+
+RIG = ["--ball-young-modulus", "5 MPa", "--substrate-radius=-5 mm", "--entrainment-speed", "0.05 mm/s", "--slide-to-roll", "0"]
+
+
+def test_a_rig_with_two_elastic_bodies_that_roll(capsys):
+    bodies = [each for each in BALL if each not in ("--speed", "0.1 mm/s")]
+    assert main(["solve", *bodies, *RIG]) == 0
+    out = capsys.readouterr().out
+    assert "shear on the ball over r ≤ a                     none" in out
+    assert "Where the ball turns" in out
+    assert main(["solve", *bodies, *RIG, "--json"]) == 0
+    solved = json.loads(capsys.readouterr().out)["dimensional"]
+    assert main(["solve", *bodies, *RIG, "--json", "--fast"]) == 0
+    fast = json.loads(capsys.readouterr().out)["dimensional"]
+    assert fast["friction_contact"]["value"] is None
+    for name in ("friction_total", "film_min"):
+        allowed = 3 * (fast[name]["error"] + solved[name]["error"])
+        assert fast[name]["value"] == pytest.approx(solved[name]["value"], abs=allowed)
+    assert main(["solve", *BALL, *RIG]) == 2
+    assert "--speed, --entrainment-speed: no motion has both" in capsys.readouterr().err

@@ -108,3 +108,13 @@ def test_an_accuracy_that_cannot_be_is_refused(accuracy, tmp_path):
     assert Steady(tmp_path).accuracy(None, ()) == 1e-3
     with pytest.raises(softlube.InputError, match="accuracy: expected a number up to"):
         Steady(tmp_path).accuracy(accuracy, ())
+
+
+def test_two_bodies_and_rolling_are_parameters_like_any_other():
+    bodies = {name: value for name, value in BALL.items() if name != "speed"} | {"thickness": "1 mm"}
+    rig = {"ball_young_modulus": ["5 MPa", "5 GPa"], "substrate_radius": "-5 mm", "entrainment_speed": "0.05 mm/s"}
+    plan = make_plan(bodies | rig | {"slide_to_roll": [0, 2]})
+    assert len(plan.cases) == 4
+    # the film does not depend on the slide-to-roll ratio: one solution for both
+    assert len({content_key(case.task, 1e-3) for case in plan.cases}) == 2
+    assert plan.cases[0].contact == softlube.Contact(**bodies | rig | {"ball_young_modulus": "5 MPa"}, slide_to_roll=0)

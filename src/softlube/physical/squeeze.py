@@ -120,8 +120,8 @@ class Setup(Materials):
             by_layer = layer_doubt(dry, substrate, changes)
         if radius > LARGEST_SLOPE * self.bearing_radius:
             doubts.append(
-                f"the contact radius reaches {radius / self.bearing_radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and "
-                f"the parabolic sphere are in doubt"
+                f"the contact radius reaches {radius / self.bearing_radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity "
+                f"and the parabolic sphere are in doubt"
             )
         if suction > ATMOSPHERE:
             doubts.append(
