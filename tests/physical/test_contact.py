@@ -256,3 +256,34 @@ def test_every_physical_input_has_a_unit_and_an_example():
     for name, each in declared().items():
         if not each.is_text:
             assert to_si(name, each.example) > 0
+
+
+def test_two_bodies_and_rolling_as_parts_as_inputs_and_from_a_file(tmp_path):
+    by_inputs = softlube.Contact(
+        radius="2 mm",
+        ball_young_modulus="5 MPa",
+        ball_poisson_ratio=0.3,
+        substrate_radius="-5 mm",
+        young_modulus="3 MPa",
+        thickness="0.4 mm",
+        viscosity="2 Pa s",
+        entrainment_speed="0.5 mm/s",
+        slide_to_roll=-0.5,
+        load="100 mN",
+    )
+    by_parts = softlube.Contact(
+        indenter=softlube.Sphere("2 mm", young_modulus="5 MPa", poisson_ratio=0.3),
+        substrate=softlube.Layer("3 MPa", thickness="0.4 mm", radius="-5 mm"),
+        liquid=softlube.Newtonian("2 Pa s"),
+        motion=softlube.Rolling("0.5 mm/s", slide_to_roll=-0.5),
+        load="100 mN",
+    )
+    assert by_inputs == by_parts == softlube.Contact.from_inputs(by_parts.inputs())
+    assert (by_parts.speed, by_parts.slide_to_roll, by_parts.speed_sum) == (None, -0.5, 1e-3)
+    assert (by_parts.radius, by_parts.substrate_radius, by_parts.ball_young_modulus) == (2e-3, -5e-3, 5e6)
+    solution = by_parts.solve(accuracy=1e-2)
+    solution.save(tmp_path / "rig.nc")
+    again = softlube.load(tmp_path / "rig.nc")
+    assert again.contact == by_parts
+    assert again.problem == solution.problem
+    assert again.problem.substrate.share == by_parts.substrate_share
