@@ -56,6 +56,7 @@ class Rolling(SteadyMotion):
         "0.5",
         default=FIXED_BALL,
         signed=True,
+        absent="2, a ball that does not turn",
     )
 
     @property
