@@ -8,12 +8,7 @@ from typing import Any
 from softlube.physical.inputs import declared
 from softlube.physical.units import shown
 
-MEANT = {
-    "slowest": "entrainment_speed",
-    "fastest": "entrainment_speed",
-    "ball_young_modulus": "young_modulus",
-    "substrate_radius": "radius",
-}
+MEANT = {"slowest": "entrainment_speed", "fastest": "entrainment_speed"}
 """Options that have the dimension of an input with another name."""
 
 
