@@ -86,7 +86,7 @@ class Contact(Materials):
     ...                          substrate=HalfSpace("64 GPa", poisson_ratio=0.2), liquid=Newtonian("1 Pa s"),
     ...                          motion=Rolling("1 mm/s", slide_to_roll=0), load="1 N")
     >>> f"{4 * steel_on_glass.contact_modulus:.4g}"  # E* [Pa]
-    '5.178e+10'
+    '5.172e+10'
     """
 
     motion: SteadyMotion
