@@ -11,7 +11,8 @@ import pytest
 
 import softlube
 from softlube.model.problem import Problem
-from softlube.sweeps.executors import Local, WorkerDied, cores
+from softlube.solvers.processes import WorkerDied, cores
+from softlube.sweeps.executors import Local
 from softlube.sweeps.steady import SteadyTask
 from softlube.sweeps.tasks import Outcome
 
@@ -22,7 +23,7 @@ def test_a_killed_worker_is_noticed_and_replaced():
     executor = Local(1)
     task = SteadyTask(Problem(beta=100))
     assert not executor.submit(0, task, ROUGH, False).result(60).failed
-    (process,) = executor._pools[0]._processes
+    (process,) = executor._processes._pools[0]._processes
     future = executor.submit(0, SteadyTask(Problem(beta=2e5)), 2e-4, False)
     os.kill(process, signal.SIGKILL)
     with pytest.raises(WorkerDied):
@@ -39,7 +40,7 @@ def test_workers_end_with_a_killed_sweep(tmp_path):
         "from softlube.sweeps.steady import SteadyTask\n"
         "executor = Local(1)\n"
         "executor.submit(0, SteadyTask(Problem(beta=100)), 0.05, False).result()\n"
-        "print(*executor._pools[0]._processes, flush=True)\n"
+        "print(*executor._processes._pools[0]._processes, flush=True)\n"
         "os.kill(os.getpid(), signal.SIGKILL)\n"
     )
     killed = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)

@@ -11,9 +11,9 @@ import pytest
 
 import softlube
 from softlube.model.problem import Problem
+from softlube.solvers.processes import WorkerDied
 from softlube.sweeps import Store
-from softlube.sweeps.executors import WorkerDied
-from softlube.sweeps.run import Stretches, _Run
+from softlube.sweeps.run import _Run
 from softlube.sweeps.steady import SteadyTask
 from softlube.sweeps.tasks import Outcome
 from softlube.sweeps.work import solve_one
@@ -143,19 +143,6 @@ def test_a_task_that_kills_its_worker_twice_has_failed():
         found = store.outcomes(tasks)
     assert [found[key].failed for key in ("1", "2", "3")] == [False, True, False]
     assert "died 2 times" in found["2"].reason
-
-
-def test_every_lane_walks_along_beta_and_helps_the_slowest():
-    stretches = Stretches([str(n) for n in range(10)])
-    stretches.share(["a", "b"])
-    assert [stretches.take("a") for _ in range(5)] == list("01234")
-    assert stretches.take("b") == "5"
-    assert [stretches.take("a") for _ in range(2)] == ["8", "9"]  # half of what b has left
-    stretches.share(["a", "c"])  # b has gone, c has come
-    assert stretches.take("b") is None
-    assert sorted(filter(None, (stretches.take(lane) for lane in "acac"))) == ["6", "7"]
-    assert len(stretches) == 0
-    assert stretches.take("a") is None
 
 
 COMMAND = [sys.executable, "-c", "from softlube.cli.main import main; raise SystemExit(main())", "sweep"]

@@ -11,9 +11,11 @@ import pytest
 import softlube
 from softlube.errors import NotConvergedError
 from softlube.model.problem import Problem
+from softlube.solvers import code_version
+from softlube.solvers.code_version import package_folder
 from softlube.sweeps import work
 from softlube.sweeps.steady import SteadyTask
-from softlube.sweeps.work import ROOMS, content_key, package_folder, solve_one, solver_version
+from softlube.sweeps.work import ROOMS, content_key, solve_one, solver_version
 
 WITHOUT_NUMBERS = ("files", "physical", "plots", "paper")
 """Folders that the code of a task imports, for `save` and `plot`, the types of inputs and other methods than its own."""
@@ -38,8 +40,8 @@ def copy(tmp_path, monkeypatch):
     """A copy of the package that versions are taken of."""
     folder = tmp_path / "softlube"
     shutil.copytree(package_folder(), folder, ignore=shutil.ignore_patterns("__pycache__", "data"))
-    monkeypatch.setattr(work, "package_folder", lambda: folder)
-    monkeypatch.setattr(work, "solver_version", solver_version.__wrapped__)
+    monkeypatch.setattr(code_version, "package_folder", lambda: folder)
+    monkeypatch.setattr(work, "code_version", code_version.code_version.__wrapped__)
     return folder
 
 
@@ -91,7 +93,7 @@ def test_docstrings_comments_and_layout_do_not_count(copy):
     for path in copy.rglob("*.py"):
         tree = ast.parse(path.read_text())
         for node in ast.walk(tree):
-            if work._stands_alone(node):
+            if code_version._stands_alone(node):
                 node.value.value = "Another text."
         path.write_text(ast.unparse(tree) + "\n# a remark\n")  # which has no comments, and other line breaks
     assert "Another text." in (copy / "solvers" / "newton.py").read_text()

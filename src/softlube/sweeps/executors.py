@@ -8,27 +8,17 @@ from __future__ import annotations
 
 import errno
 import gc
-import os
-import threading
-import time
 from collections.abc import Hashable, Iterable
 from concurrent.futures import Future
 from typing import Any, Protocol
 
 from softlube.errors import InputError
+from softlube.solvers.processes import Processes, WorkerDied
 from softlube.sweeps.tasks import Outcome, Task
 from softlube.sweeps.work import solve_one, solver_version
 
-ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1")
-"""Environment of a worker: as many processes as cores leave no core for a second thread of the linear algebra."""
-WATCH = 0.5
-"""Seconds between a worker's looks at whether its parent is there."""
 JOIN_TIMEOUT = 30.0
 """Seconds to wait for a scheduler, and for its first worker."""
-
-
-class WorkerDied(Exception):
-    """The process that solved a task is gone, by a signal or for want of memory."""
 
 
 class Executor(Protocol):
@@ -47,75 +37,25 @@ class Executor(Protocol):
         ...
 
 
-def cores() -> int:
-    """Cores that this process may use."""
-    affinity = getattr(os, "sched_getaffinity", None)
-    return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
-
-
-def end_with(parent: int) -> None:
-    """End this process when its parent has ended: a killed sweep must not leave its workers behind.
-
-    A worker waits for work on a pipe that it holds both ends of, and so would never notice.
-    """
-
-    def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(WATCH)
-        os._exit(1)
-
-    threading.Thread(target=watch, daemon=True).start()
-
-
 class Local:
-    """Processes of this machine, each with one thread; started when first used, replaced when they die.
-
-    loky starts them: unlike the standard library's, its workers need no ``if __name__ == "__main__"`` in the caller's script,
-    and one that dies is told as an error.
-    """
+    """Processes of this machine; see `softlube.solvers.processes.Processes`."""
 
     def __init__(self, workers: int | None = None) -> None:
         if workers is not None and (isinstance(workers, bool) or workers < 1):
             raise InputError(f"workers: expected a positive whole number, got {workers!r}")
-        self._lanes: list[Hashable] = list(range(workers or cores()))
-        self._pools: dict[Hashable, Any] = {}
+        self._processes = Processes(workers)
 
     def lanes(self) -> list[Hashable]:
         """As many as there are processes."""
-        return self._lanes
+        return self._processes.lanes
 
     def submit(self, lane: Hashable, task: Task, accuracy: float, fields: bool) -> Future[Outcome]:
         """Solve in the lane's process."""
-        from loky.process_executor import BrokenProcessPool, ProcessPoolExecutor
-
-        if lane not in self._pools:
-            self._pools[lane] = ProcessPoolExecutor(
-                max_workers=1, env=ONE_THREAD, initializer=end_with, initargs=(os.getpid(),)
-            )
-        result: Future[Outcome] = Future()
-
-        def hand_on(done: Future[Outcome]) -> None:
-            error = done.exception()
-            if isinstance(error, BrokenProcessPool):
-                self._pools.pop(lane, None)
-                error = WorkerDied(str(error).splitlines()[0] if str(error) else "the process ended")
-            if error is not None:
-                result.set_exception(error)
-            else:
-                result.set_result(done.result())
-
-        try:
-            self._pools[lane].submit(solve_one, task, accuracy, fields).add_done_callback(hand_on)
-        except BrokenProcessPool as error:  # died between two tasks
-            self._pools.pop(lane, None)
-            result.set_exception(WorkerDied(str(error)))
-        return result
+        return self._processes.submit(lane, solve_one, task, accuracy, fields)
 
     def close(self, *, wait: bool) -> None:
         """End the processes."""
-        for pool in self._pools.values():
-            pool.shutdown(wait=wait, kill_workers=not wait)
-        self._pools.clear()
+        self._processes.close(wait=wait)
 
 
 class Dask:

@@ -5,60 +5,22 @@ from __future__ import annotations
 import os
 import time
 from collections import deque
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from typing import Any
 
 from softlube.errors import InputError
+from softlube.solvers.processes import MOST_DEATHS, Stretches, WorkerDied
 from softlube.solvers.progress import Listener, Progress
-from softlube.sweeps.executors import Dask, Executor, Local, WorkerDied
+from softlube.sweeps.executors import Dask, Executor, Local
 from softlube.sweeps.plan import Plan, make_plan, read_plan
 from softlube.sweeps.results import Sweep
 from softlube.sweeps.store import LEASE, Store
 from softlube.sweeps.tasks import Outcome, Task
 from softlube.sweeps.work import ROOMS, content_key, solver_version
 
-MOST_DEATHS = 2
-"""Times that a task may take its worker's process with it before it counts as failed."""
 BEAT = 0.5
 """Seconds after which the loop looks up at the latest: at workers that came, claims to renew, the other processes' results."""
-
-
-class Stretches:
-    """Tasks in their order, a stretch for every lane; one that has none left takes half of the longest.
-
-    Neighbours share work, such as the grids of neighbouring β, so every lane walks along neighbours.
-    """
-
-    def __init__(self, keys: Sequence[str]) -> None:
-        self._unowned = deque(keys)
-        self._owned: dict[Hashable, deque[str]] = {}
-
-    def __len__(self) -> int:
-        return len(self._unowned) + sum(map(len, self._owned.values()))
-
-    def share(self, lanes: Sequence[Hashable]) -> None:
-        """Give lanes that have come a stretch, and take it from lanes that are gone."""
-        for lane in [lane for lane in self._owned if lane not in lanes]:
-            self._unowned.extend(self._owned.pop(lane))
-        newcomers = [lane for lane in lanes if lane not in self._owned]
-        for number, lane in enumerate(newcomers):
-            count = -(-len(self._unowned) // (len(newcomers) - number))
-            self._owned[lane] = deque(self._unowned.popleft() for _ in range(count))
-
-    def take(self, lane: Hashable) -> str | None:
-        """The lane's next task; none for a lane that is gone."""
-        own = self._owned.get(lane)
-        if own is None:
-            return None
-        if not own:
-            longest = max([*self._owned.values(), self._unowned], key=len)
-            own.extend(reversed([longest.pop() for _ in range(-(-len(longest) // 2))]))
-        return own.popleft() if own else None
-
-    def put_back(self, lane: Hashable, key: str) -> None:
-        """A task that is to be solved again."""
-        self._owned.get(lane, self._unowned).appendleft(key)
 
 
 def sweep(
