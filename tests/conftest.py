@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import softlube
+from softlube.files.cache import VARIABLE
 from softlube.model.exact import HERTZ_LOAD
 from softlube.transient.motion import constant_load
 from softlube.transient.sliding.result import follow_sliding
@@ -15,6 +16,14 @@ from softlube.transient.squeeze.result import follow
 @pytest.fixture(autouse=True)
 def _numpy_raises():
     with np.errstate(invalid="raise", divide="raise", over="raise"):
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _own_cache(tmp_path_factory):
+    """No test reads or writes the user's cache, and neither do the processes that it starts."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(VARIABLE, str(tmp_path_factory.mktemp("cache")))
         yield
 
 
