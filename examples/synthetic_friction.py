@@ -2,8 +2,8 @@
 
 72 combinations of load (18.6 to 238.1 mN) and sliding speed (0.025 to 1 mm/s) of a rigid sphere of R = 2 mm on a substrate of E
 = 3 MPa in a liquid of 2 Pa s, as in section 3.5 of Wu, Moyle, Jagota & Hui (2020), whose measured numbers are not printed.
-Friction is that of softlube's own solutions (shear on the sphere, Eq. (27a), within two Hertz radii) times log-normal noise of
-5 %.
+Friction is that of softlube's own solutions (the whole horizontal force on the sphere, within two radii of the dry contact)
+times log-normal noise of 5 %.
 
     python examples/synthetic_friction.py examples/data/synthetic_friction.csv
 """

@@ -7,6 +7,8 @@ import pytest
 
 import softlube
 from softlube.cli.main import main
+from softlube.experiments.nodes import at
+from softlube.steady.solve import solve_problem
 
 
 def test_one_beta_prints_every_quantity_with_its_error(capsys, solution):
@@ -41,6 +43,42 @@ def test_a_range_as_csv_and_picture(capsys, tmp_path):
     assert plot.read_bytes().startswith(b"\x89PNG")
 
 
+LAYER = ["--radius", "5 mm", "--young-modulus", "3 MPa", "--thickness", "1 mm", "--viscosity", "0.1 Pa s"]
+
+
+@pytest.mark.parametrize(
+    ("control", "symbol", "unit"),
+    [(["--load", "200 mN"], "beta_load", "Hertz indentation"), (["--indentation", "100 um"], "beta", "the indentation")],
+)
+def test_a_layer_is_computed(capsys, tmp_path, control, symbol, unit):
+    csv, plot = tmp_path / "c.csv", tmp_path / "c.png"
+    options = [
+        "--start",
+        "100",
+        "--stop",
+        "1000",
+        "--points",
+        "3",
+        "--accuracy",
+        "0.02",
+        "--csv",
+        str(csv),
+        "--plot",
+        str(plot),
+    ]
+    assert main(["curve", "film_center", "height" if "--load" in control else "load", *LAYER, *control, *options]) == 0
+    out = capsys.readouterr().out
+    assert f"Normalised with {unit}" in out.replace("the Hertz", "Hertz")
+    assert "computed for this contact" in out
+    assert csv.read_text().startswith(symbol + ",film_center")
+    rows = np.loadtxt(csv, delimiter=",", skiprows=1)
+    inputs = dict(zip((name[2:].replace("-", "_") for name in (*LAYER, *control)[::2]), (*LAYER, *control)[1::2], strict=True))
+    problem = softlube.Contact(**inputs, speed=1.0).problem()
+    solved = solve_problem(at(problem, 100.0), accuracy=0.02)
+    assert rows[0, :3] == pytest.approx([100, solved.film_center, solved.film_center.error], rel=1e-6)
+    assert plot.read_bytes().startswith(b"\x89PNG")
+
+
 @pytest.mark.parametrize(
     ("arguments", "fragment"),
     [
@@ -52,6 +90,10 @@ def test_a_range_as_csv_and_picture(capsys, tmp_path):
         (["--by", "radius"], "--by"),
         (["--plot", "a.gif"], "--plot: expected a file ending in"),
         (["--beta", "10", "--plot", "a.png"], "--plot: a curve takes a range"),
+        (["--beta", "10", *LAYER, "--load", "1 N"], "give a range, or softlube solve a speed"),
+        (["--by", "load", *LAYER, "--indentation", "1 um"], "--by, --radius: a curve of a contact"),
+        (["film_min_radius", *LAYER, "--load", "1 N"], "film_min_radius is no function of beta here"),
+        (["--accuracy", "0.01"], "--accuracy: the table has its own errors"),
         (["--csv", "no/such/folder/a.csv"], "--csv: the folder"),
     ],
 )

@@ -35,10 +35,12 @@ def test_fit(data, tmp_path, capsys):
         "held",
         "The data determine viscosity",
         "3 rows left out",
-        "total, within",
+        "Taken as measured: the whole horizontal force on the ball (total), within 2 radii",
+        "If something else was measured",
+        "the shear on the ball, Eq. (27a) (sphere), within 2 radii of the dry contact: ",
     ):
         assert fragment in out
-    assert main(["fit", str(data), *RIG, "--json"]) == 0
+    assert main(["fit", str(data), *RIG, "--force", "sphere", "--json"]) == 0
     captured = capsys.readouterr()
     found = json.loads(captured.out)
     assert captured.err == ""
@@ -77,3 +79,13 @@ def test_a_bad_fit_exits_2_with_one_line_and_writes_nothing(data, tmp_path, caps
     assert captured.out == ""
     assert list(tmp_path.iterdir()) == [data]
     assert data.read_bytes() == before
+
+
+def test_a_layer_is_fitted(data, capsys):
+    assert main(["fit", str(data), *RIG, "--thickness", "1 mm", "--json"]) == 0
+    layer = json.loads(capsys.readouterr().out)
+    assert main(["fit", str(data), *RIG, "--json"]) == 0
+    half_space = json.loads(capsys.readouterr().out)
+    assert layer["force"] == half_space["force"] == "total"
+    assert layer["values"]["viscosity"] != pytest.approx(half_space["values"]["viscosity"], rel=5e-3)
+    assert layer["beta"] != half_space["beta"]

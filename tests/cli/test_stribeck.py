@@ -1,11 +1,16 @@
 """softlube stribeck: output, files, refusals."""
 
 import json
+import subprocess
+import sys
+import time
 
 import pandas as pd
 import pytest
 
+import softlube
 from softlube.cli.main import main
+from softlube.files.cache import VARIABLE
 
 RIG = ["--radius", "2 mm", "--young-modulus", "3 MPa"]
 
@@ -46,3 +51,53 @@ def test_stribeck(tmp_path, capsys):
 def test_a_bad_stribeck_curve_exits_2(capsys, arguments, fragment):
     assert main(["stribeck", *RIG, *arguments]) == 2
     assert fragment in capsys.readouterr().err
+
+
+LAYER = ["--radius", "5 mm", "--young-modulus", "3 MPa", "--thickness", "1 mm", "--viscosity", "0.1 Pa s"]
+OIL = ["--pressure-viscosity", "100 GPa^-1", "--load", "200 mN", "--accuracy", "0.02", "--points", "3"]
+SPEEDS = ["--slowest", "10 mm/s", "--fastest", "100 mm/s"]
+
+
+def test_a_layer_with_an_oil_is_the_solved_contact(capsys):
+    """Computed, not read off a table; at its ends the curve is what softlube solve gives."""
+    assert main(["stribeck", *LAYER, *OIL, *SPEEDS, "--json"]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    slowest = json.loads(captured.out)[0]
+    contact = softlube.Contact(
+        radius="5 mm",
+        young_modulus="3 MPa",
+        thickness="1 mm",
+        viscosity="0.1 Pa s",
+        pressure_viscosity="100 GPa^-1",
+        load="200 mN",
+        speed="20 mm/s",
+    )
+    solved = contact.solve(accuracy=0.02).dimensional
+    assert slowest["friction [N]"] == pytest.approx(solved["friction_total"], rel=1e-9)
+    assert slowest["film_min [m]"] == pytest.approx(solved["film_min"], rel=1e-9)
+    assert slowest["friction_error [N]"] == pytest.approx(solved["friction_total"].error, rel=1e-6)
+    assert main(["stribeck", *LAYER, *OIL, *SPEEDS]) == 0
+    out = capsys.readouterr().out
+    assert "the whole horizontal force on the ball (total), within 2 radii" in out
+
+
+def test_two_elastic_bodies_have_no_layer_here(capsys):
+    assert main(["stribeck", *LAYER, *OIL, "--ball-young-modulus", "64 GPa"]) == 2
+    assert "--ball-young-modulus, --thickness" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_61_speeds_on_a_layer_with_an_oil_are_there_in_time(monkeypatch, tmp_path):
+    """On two cores that do nothing else: at first in 25 s, from a new process again in 2 s."""
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "cache"))
+    speeds = ["--slowest", "0.1 mm/s", "--fastest", "1 m/s", "--points", "61", "--output", str(tmp_path / "s.csv")]
+    command = [sys.executable, "-m", "softlube", "stribeck", *LAYER, *OIL[:4], *speeds]
+    seconds = []
+    for _ in range(2):
+        began = time.perf_counter()
+        subprocess.run(command, check=True, capture_output=True)
+        seconds.append(time.perf_counter() - began)
+    assert seconds[0] < 25
+    assert seconds[1] < 2
+    assert len(pd.read_csv(tmp_path / "s.csv")) == 61

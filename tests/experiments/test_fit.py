@@ -8,6 +8,7 @@ import pytest
 
 import softlube
 from softlube import fit
+from softlube.experiments.friction_model import make_model
 
 KNOWN = {"radius": "2 mm", "young_modulus": "3 MPa"}
 VISCOSITY = 2.0
@@ -97,13 +98,17 @@ def test_outliers_hardly_count_in_a_robust_fit(clean):
 def test_the_viscosity_depends_on_which_friction_was_measured(clean):
     """Less friction a viscosity makes over a smaller region, so the more viscosity it takes for the same friction."""
     found = fit(noisy(clean, 0, 0.01), **KNOWN, viscosity="2 Pa s")
-    assert found.others["sphere", 1.0] > 1.1 * VISCOSITY
-    assert found.others["sphere", 5.0] < VISCOSITY
-    assert found.others["total", 1.0] < found.others["sphere", 1.0]
+    assert found.model.force == "total"
+    assert found.others["total", 1.0] > 1.1 * VISCOSITY
+    assert found.others["total", 5.0] < VISCOSITY
+    assert found.others["sphere", 2.0] > 1.1 * VISCOSITY  # less friction, too, from the same liquid
+    assert found.others["sphere", 1.0] > found.others["total", 1.0]
 
 
 def test_a_picture(clean, tmp_path):
-    found = fit(noisy(clean, 0), **KNOWN, compare=False)
+    model = fit(clean, **KNOWN, compare=False).model
+    sphere = replace(clean, friction=replace(model, force="sphere").friction({**model.start}))
+    found = fit(noisy(sphere, 0), **KNOWN, force="sphere", compare=False)
     found.plot(tmp_path / "fit.png")
     assert (tmp_path / "fit.png").read_bytes().startswith(b"\x89PNG")
     beta, friction = found.points
@@ -114,7 +119,9 @@ def test_a_picture(clean, tmp_path):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"free": ("density",)}, "free: expected one or more of viscosity"),
+        ({"free": ("colour",)}, "free: expected one or more of viscosity"),
+        ({"free": ("density",), "viscosity": 2.0, "density": 900.0}, "free, density: the friction does not depend on it"),
+        ({"free": ("thickness",), "viscosity": 2.0}, "free, thickness: give a value to start from"),
         ({"free": ()}, "free: expected one or more"),
         ({"young_modulus": None}, "young_modulus: missing; give it or fit it"),
         ({"radius": None}, "radius: missing"),
@@ -136,3 +143,50 @@ def test_bad_input(clean, options, message):
 def test_what_leads_beyond_the_solver_is_refused_with_the_line(clean):
     with pytest.raises(softlube.SoftlubeError):
         fit(replace(clean, friction=clean.friction * 1e6), **KNOWN)
+
+
+SLAB = {"radius": "2 mm", "young_modulus": "3 MPa", "thickness": "1 mm"}
+
+
+@pytest.fixture(scope="module")
+def on_a_slab(clean):
+    """The friction of the 72 combinations on a bonded slab, without noise; every sixth of them solved by itself."""
+    values = {"viscosity": VISCOSITY, "young_modulus": 3e6, "friction_offset": 0.0}
+    model = make_model(clean, **SLAB, viscosity=VISCOSITY).cover(values, 2.0, None)
+    assert len(model.family.curves) == 6
+    friction = model.friction(values)
+    for row in range(0, len(clean), 6):
+        contact = softlube.Contact(**SLAB, viscosity=VISCOSITY, speed=clean.speed[row], load=clean.load[row])
+        solved = contact.solve(accuracy=5e-3).dimensional["friction_total"]
+        assert friction[row] == pytest.approx(solved, rel=2e-3)
+        friction[row] = solved
+    return replace(clean, friction=friction)
+
+
+@pytest.mark.slow
+def test_on_a_layer_the_interval_covers_the_truth_in_95_of_100(on_a_slab):
+    """As on the half-space, and the fit of a half-space to the slab's friction is off."""
+    found = [fit(noisy(on_a_slab, seed), **SLAB, compare=False).estimates["viscosity"] for seed in range(100)]
+    covered = sum(estimate.low <= VISCOSITY <= estimate.high for estimate in found)
+    assert 90 <= covered <= 99
+    assert fit(on_a_slab, **KNOWN, compare=False).values["viscosity"] != pytest.approx(VISCOSITY, rel=0.02)
+
+
+def test_parameters_that_change_layer_and_liquid_each_in_its_own_way_are_refused(clean):
+    """E sets how thick the layer is over the contact's radius, and, otherwise, by how much the oil thickens."""
+    oil = {**SLAB, "viscosity": 2.0, "pressure_viscosity": "100 GPa^-1"}
+    with pytest.raises(softlube.InputError, match="free: young_modulus change the layer and the liquid each in its own way"):
+        fit(clean, **oil, free=("modulus",))
+
+
+@pytest.mark.parametrize(("name", "factor"), [("thickness", 0.5), ("young_modulus", 8.0)])
+def test_a_layer_s_parameters_act_like_the_load(clean, name, factor):
+    """t̂ = t/√(Rδ), δ ~ (N/E)^(2/3): half the thickness does what eight times the load does, and eight times E an eighth."""
+    model = make_model(clean, **SLAB, viscosity=2.0, free=(name,))
+    start = model.first_guess()
+    model = replace(model, start=start)
+    changed = start | {name: factor * start[name]}
+    like = model.acts_like_load(changed)
+    assert like == pytest.approx(8.0 if name == "thickness" else 1 / 8, rel=1e-9)
+    ours, theirs = model.problem(changed, 0.1).substrate, model.problem(start, 0.1 * like).substrate
+    assert ours.thickness == pytest.approx(theirs.thickness, rel=1e-9)

@@ -41,9 +41,20 @@ def test_few_runs_are_improbable_and_many_are_not():
     order = np.arange(20.0)
     assert _runs(order, order) == pytest.approx(2 / math.comb(20, 10), abs=1e-4)
     assert _runs(order, (-1.0) ** order) > 0.999
-    assert _runs(order[:8], order[:8]) == 1.0  # too few to say
+    assert math.isnan(_runs(order[:8], order[:8]))  # too few to say
     shuffled = np.random.default_rng(1).permutation(20)
     assert _runs(order[shuffled], order[shuffled]) == _runs(order, order)
+
+
+def test_few_rows_tell_nothing_of_an_order(clean):
+    """Nine rows: no claim that the residuals are in order or not; ten: there is one."""
+    nine, ten = (fit(noisy(clean, 3).take(np.arange(count) * 7), **KNOWN, compare=False) for count in (9, 10))
+    assert nine.trend[0] == ""
+    assert math.isnan(nine.trend[1])
+    assert any(text.startswith("9 rows are too few to tell") for text in nine.verdicts)
+    assert nine.to_dict()["trend"] == {"along": None, "probability": None}
+    assert 0 < ten.trend[1] <= 1
+    assert not any("too few to tell" in text for text in ten.verdicts)
 
 
 def test_chance_is_seldom_called_an_order():

@@ -21,10 +21,7 @@ def test_the_model_is_the_friction_of_a_solved_contact(clean):
     """The link between a fit and a solution, for a row whose β is no node of the curve."""
     row = 30
     solution = softlube.Contact(**KNOWN, viscosity=VISCOSITY, speed=clean.speed[row], load=clean.load[row]).solve()
-    radius = math.sqrt(2e-3 * solution.contact.unit_height)
-    within = solution.friction_within(2 * radius / solution.dimensional["contact_radius"])
-    friction = within / solution.friction_domain * solution.dimensional["friction_domain"]
-    assert clean.friction[row] == pytest.approx(friction, rel=1e-3)
+    assert clean.friction[row] == pytest.approx(solution.dimensional["friction_total"], rel=1e-3)
 
 
 def test_speeds_of_both_surfaces(clean):
@@ -82,7 +79,7 @@ def test_residuals():
 
 def test_friction_beyond_the_curve_goes_on_with_its_last_slope():
     model = small().cover(VALUES, 2.0, None)
-    low, high = model.curve.low, model.curve.high
+    low, high = model.family.low, model.family.high
     unit_beta = model.beta(VALUES)[0] * VISCOSITY
     for end, inner in ((low, 1.1 * low), (high, high / 1.1)):
         betas = np.array([inner, end, end**2 / inner])

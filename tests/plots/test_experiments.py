@@ -32,7 +32,7 @@ def test_a_fit_is_drawn_with_its_data(found, tmp_path):
     assert np.asarray(drawn) == pytest.approx(np.column_stack(found.points))
     curve, paper = collapse.get_lines()
     beta, friction = curve.get_data()
-    assert friction == pytest.approx(found.model.curve.friction(beta))
+    assert friction == pytest.approx(found.model.family.friction(0.1, beta))
     beta, friction = paper.get_data()
     assert friction == pytest.approx(4.806 * beta**-0.4398)
     shown = np.asarray(residuals.collections[0].get_offsets())

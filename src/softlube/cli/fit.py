@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Group, Parameter
+
+from softlube.cli.inputs import takes
+from softlube.physical.inputs import BODIES
 
 if TYPE_CHECKING:
     from softlube.experiments.fit import Fit
@@ -14,16 +17,13 @@ _RIG = Group("Rig and liquid (give what is known; a parameter that is fitted may
 _FIT = Group("Fit", sort_key=2)
 _FRICTION = Group("Which friction was measured", sort_key=3)
 _OUTPUT = Group("Output", sort_key=4)
-Physical = Annotated[str | None, Parameter(group=_RIG, allow_leading_hyphen=True)]
 
 
+@takes((_RIG, BODIES))
 def fit(
     data: str,
     /,
     *,
-    radius: Physical = None,
-    young_modulus: Physical = None,
-    viscosity: Physical = None,
     slide_to_roll: Annotated[float, Parameter(group=_RIG)] = 2.0,
     free: Annotated[list[str] | None, Parameter(group=_FIT, negative=())] = None,
     noise: Annotated[str, Parameter(group=_FIT)] = "relative",
@@ -32,13 +32,14 @@ def fit(
     confidence: Annotated[float, Parameter(group=_FIT)] = 0.95,
     hold_out: Annotated[float, Parameter(group=_FIT, allow_leading_hyphen=True)] = 0.0,
     seed: Annotated[int, Parameter(group=_FIT)] = 0,
-    force: Annotated[str, Parameter(group=_FRICTION)] = "sphere",
+    force: Annotated[str, Parameter(group=_FRICTION)] = "total",
     region: Annotated[str, Parameter(group=_FRICTION)] = "2",
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
+    **physical: str,
 ) -> int:
-    """Fit viscosity, modulus or a friction offset to measured friction, and say what the data determine.
+    """Fit viscosity, modulus, a friction offset or another parameter to measured friction, and say what the data determine.
 
     The table has the columns load, speed (or entrainment_speed) and friction (or friction_coefficient), with units in the
     header: load [mN], speed [mm/s], friction [mN].
@@ -47,16 +48,11 @@ def fit(
     ----------
     data
         CSV file.
-    radius
-        Radius of the sphere, such as "2 mm".
-    young_modulus
-        Young's modulus of the substrate (incompressible), such as "3 MPa".
-    viscosity
-        Dynamic viscosity, such as "2 Pa s".
     slide_to_roll
         Where the table has no such column; 2 for a substrate at rest.
     free
-        What to fit: viscosity (the default), modulus, offset; may be given several times.
+        What to fit: viscosity (the default), modulus, offset, or another input such as thickness or pressure_viscosity, whose
+        value is then where the search starts; may be given several times.
     noise
         "relative" (in proportion to the friction) or "absolute".
     robust
@@ -70,15 +66,17 @@ def fit(
     seed
         Seed of the random draws.
     force
-        "sphere" (shear on the ball, as in the paper) or "total" (the whole horizontal force).
+        "total" (the whole horizontal force, what a force sensor reads) or "sphere" (shear on the ball, as in the paper).
     region
-        Where friction is counted, in contact radii of the load; or "domain", "contact" as in softlube solve.
+        Where friction is counted, in radii of the dry contact under the load; or "domain", "contact" as in softlube solve.
     plot
         Picture of the data on the load curve and of the residuals (.png, .pdf or .svg).
     output
         JSON file with the result.
     as_json
         Print one JSON object and nothing else.
+    **physical
+        Inputs of the experiment, as they are declared.
     """
     import json
 
@@ -104,13 +102,11 @@ def fit(
     from softlube.experiments.load_curve import parse_region
     from softlube.experiments.measurements import read_measurements
 
+    given: dict[str, Any] = dict(physical)
     measured = read_measurements(data, slide_to_roll=slide_to_roll)
     with Bar("fitting", quiet=as_json) as bar:
         found = run(
             measured,
-            radius=radius,
-            young_modulus=young_modulus,
-            viscosity=viscosity,
             free=tuple(free or ("viscosity",)),
             noise=noise,
             robust=robust,
@@ -121,11 +117,11 @@ def fit(
             force=force,
             region=parse_region(region),
             progress=bar.show,
+            **given,
         )
         if plot is not None:
             found.plot(plot)
-    rig = {"radius": radius, "young_modulus": young_modulus, "viscosity": viscosity, "slide_to_roll": slide_to_roll}
-    inputs = understood(rig)
+    inputs = understood(physical | {"slide_to_roll": slide_to_roll})
     text = json.dumps({"inputs": inputs} | found.to_dict(), allow_nan=False)
     if output is not None:
         with whole_file(output) as temporary:
@@ -156,7 +152,8 @@ def _report(found: Fit, files: list[str]) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from softlube.experiments.friction_model import UNITS
+    from softlube.experiments.friction_model import unit_of
+    from softlube.experiments.load_curve import described
 
     console = Console(highlight=False, soft_wrap=True)
     data = found.model.data
@@ -170,15 +167,15 @@ def _report(found: Fit, files: list[str]) -> None:
         value, low, high = _rounded(estimate)
         table.add_row(name.replace("_", " "), value, f"{low} to {high}", estimate.unit)
     for name in sorted(found.values.keys() - found.estimates.keys()):
-        table.add_row(name.replace("_", " "), f"{found.values[name]:.5g}", "held", UNITS[name])
+        table.add_row(name.replace("_", " "), f"{found.values[name]:.5g}", "held", unit_of(name))
     console.print(table, soft_wrap=False)
     kind = f"{100 * found.scatter:.2g} %" if found.model.noise == "relative" else f"{found.scatter:.2g} of the median friction"
-    console.print(f"Scatter: {kind}. Friction: {found.model.force}, within {found.region} contact radii.")
+    console.print(f"Scatter: {kind}. Taken as measured: {described(found.model.force, found.region)}.", markup=False)
     for verdict in found.verdicts:
         console.print(verdict, markup=False)
     if found.others:
-        console.print("The same data, if the friction measured is another:")
+        console.print("If something else was measured, the same data give another viscosity:")
         for (force, region), viscosity in found.others.items():
-            console.print(f"  {force}, within {region:g} contact radii: viscosity {viscosity:.4g} Pa s")
+            console.print(f"  {described(force, region)}: {viscosity:.4g} Pa s", markup=False)
     for path in files:
         console.print(f"Wrote {path}", markup=False)

@@ -41,7 +41,7 @@ app.command(
 app.command("softlube.cli.sweep:sweep", name="sweep", help="Solve many contacts or squeeze films; every finished one is kept.")
 app.command("softlube.cli.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")
 app.command("softlube.cli.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")
-app.command("softlube.cli.curve:curve", name="curve", help="Print or draw any quantity as a function of β, at once.")
+app.command("softlube.cli.curve:curve", name="curve", help="Print or draw any quantity as a function of β.")
 app.command("softlube.cli.cache:cache", name="cache", help="Show or clear what is kept of computed curves.")
 app.command(
     "softlube.cli.reproduce:reproduce",
@@ -105,9 +105,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 _WITHOUT_MODELS = {
-    "stribeck": "the curve behind it is a half-space's with constant viscosity; take softlube solve or softlube sweep",
-    "fit": "the curve behind it is an incompressible half-space's with constant viscosity",
-    "curve": "the master curve is a half-space's with constant viscosity; take softlube solve or softlube sweep",
     "reproduce": "the paper's figures are an incompressible half-space's with constant viscosity",
     "sweep": "what is to be solved stands in the plan; give it there",
 }

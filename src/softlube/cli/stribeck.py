@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Group, Parameter
+
+from softlube.cli.inputs import takes
+from softlube.physical.inputs import BODIES
 
 if TYPE_CHECKING:
     import pandas
@@ -21,47 +24,43 @@ SHOWN = 13
 """Rows printed for a load; the table has them all."""
 
 
+@takes((_BODIES, BODIES))
 def stribeck(
     *,
-    radius: Body = None,
-    young_modulus: Body = None,
-    viscosity: Body = None,
-    poisson_ratio: Ratio = 0.5,
     ball_young_modulus: Body = None,
     ball_poisson_ratio: Ratio = 0.5,
     substrate_radius: Body = None,
+    cavitation: Annotated[str, Parameter(group=_BODIES)] = "reynolds",
     roughness: Body = None,
     load: Annotated[list[str] | None, Parameter(group=_MOTION, negative=(), allow_leading_hyphen=True)] = None,
     slowest: Motion = None,
     fastest: Motion = None,
     slide_to_roll: Annotated[float, Parameter(group=_MOTION)] = 2.0,
     points: Annotated[int, Parameter(group=_MOTION)] = 61,
-    force: Annotated[str, Parameter(group=_FRICTION)] = "sphere",
+    force: Annotated[str, Parameter(group=_FRICTION)] = "total",
     region: Annotated[str, Parameter(group=_FRICTION)] = "2",
     accuracy: Annotated[float, Parameter(group=_FRICTION)] = 3e-3,
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     against: Annotated[str, Parameter(group=_OUTPUT)] = "hersey",
     as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
+    **physical: str,
 ) -> int:
     """Film and friction coefficient against speed and Hersey number, for one or more loads.
 
+    Any contact that softlube solve solves. A half-space with constant viscosity is read off a table; others are computed, in
+    parallel, and kept for the next time (softlube cache).
+
     Parameters
     ----------
-    radius
-        Radius of the ball, such as "2 mm".
-    young_modulus
-        Young's modulus of the substrate, such as "3 MPa".
-    viscosity
-        Dynamic viscosity of the liquid, such as "2 Pa s".
-    poisson_ratio
-        Poisson's ratio of the substrate.
     ball_young_modulus
         Young's modulus of the ball [default: rigid].
     ball_poisson_ratio
         Poisson's ratio of the ball.
     substrate_radius
         Radius of a substrate that is a ball, too [default: flat].
+    cavitation
+        "reynolds" (no negative pressure) or "none".
     roughness
         Root mean square roughness of both surfaces together, such as "30 nm", for the ratio λ of least film to roughness.
     load
@@ -75,10 +74,10 @@ def stribeck(
     points
         Number of speeds.
     force
-        "sphere" (shear on the ball, as in the paper), "total" (the whole horizontal force) or "couette" (mean of both
-        surfaces).
+        "total" (the whole horizontal force, what a force sensor reads), "sphere" (shear on the ball, as in the paper) or
+        "couette" (mean of both surfaces).
     region
-        Where friction is counted, in contact radii of the load; or "domain", "contact" as in softlube solve.
+        Where friction is counted, in radii of the dry contact under the load; or "domain", "contact" as in softlube solve.
     accuracy
         Relative accuracy of the solutions behind the curve.
     output
@@ -89,11 +88,14 @@ def stribeck(
         "hersey" or "speed": what the picture is drawn against.
     as_json
         Print one JSON object and nothing else.
+    **physical
+        Inputs of the experiment, as they are declared.
     """
     from softlube.cli.echo import echo, understood
     from softlube.cli.progress import Bar
     from softlube.errors import InputError
-    from softlube.experiments.load_curve import parse_region
+    from softlube.experiments.load_curve import described, parse_region
+    from softlube.physical.contact import Contact
     from softlube.physical.rig import Rig
 
     if output is not None:
@@ -110,20 +112,23 @@ def stribeck(
         raise InputError(f"against: expected 'hersey' or 'speed', got {against!r}")
     if not load:
         raise InputError("load: missing; expected a force such as '100 mN'")
-    rig = Rig(
-        radius=radius,
-        young_modulus=young_modulus,
-        viscosity=viscosity,
-        poisson_ratio=poisson_ratio,
-        ball_young_modulus=ball_young_modulus,
-        ball_poisson_ratio=ball_poisson_ratio,
-        substrate_radius=substrate_radius,
-    )
+    two = {"ball_young_modulus": ball_young_modulus, "substrate_radius": substrate_radius}
+    contact: Contact | Rig
+    if any(value is not None for value in two.values()):
+        other = next((name for name in physical if name not in ("radius", "young_modulus", "viscosity", "poisson_ratio")), None)
+        if other is not None:
+            raise InputError(f"{next(iter(two))}, {other}: two elastic bodies are half-spaces with constant viscosity here")
+        given: dict[str, Any] = {"radius": None, "young_modulus": None, "viscosity": None} | physical | two
+        if "poisson_ratio" in given:
+            given["poisson_ratio"] = float(given["poisson_ratio"])
+        contact = Rig(**given, ball_poisson_ratio=ball_poisson_ratio, cavitation=cavitation)  # type: ignore[arg-type]
+    else:
+        contact = Contact(**physical, load=load[0], speed=1.0, cavitation=cavitation)
     from softlube.experiments.stribeck import stribeck_curve
 
     with Bar("solving", quiet=as_json) as bar:
         table = stribeck_curve(
-            rig,
+            contact,
             load,
             slowest=slowest,
             fastest=fastest,
@@ -143,22 +148,9 @@ def stribeck(
         from softlube.plots.experiments import plot_stribeck
 
         plot_stribeck(table, plot, against=against)
-    inputs = understood(
-        {
-            "radius": radius,
-            "young_modulus": young_modulus,
-            "viscosity": viscosity,
-            "poisson_ratio": poisson_ratio,
-            "ball_young_modulus": ball_young_modulus,
-            "ball_poisson_ratio": None if ball_young_modulus is None else ball_poisson_ratio,
-            "substrate_radius": substrate_radius,
-            "roughness": roughness,
-            "load": load,
-            "slowest": slowest,
-            "fastest": fastest,
-            "slide_to_roll": slide_to_roll,
-        }
-    )
+    ball = two | {"ball_poisson_ratio": None if ball_young_modulus is None else ball_poisson_ratio}
+    motion = {"load": load, "slowest": slowest, "fastest": fastest, "slide_to_roll": slide_to_roll}
+    inputs = understood(physical | ball | {"roughness": roughness} | motion)
     if as_json:
         import json
 
@@ -169,11 +161,11 @@ def stribeck(
         print(json.dumps({"inputs": inputs, "rows": rows}, allow_nan=False), flush=True)
     else:
         print(echo(inputs))
-        _report(table, [path for path in (output, plot) if path is not None])
+        _report(table, described(force, parse_region(region)), [path for path in (output, plot) if path is not None])
     return 0
 
 
-def _report(table: pandas.DataFrame, files: list[str]) -> None:
+def _report(table: pandas.DataFrame, what: str, files: list[str]) -> None:
     import numpy as np
     from rich import box
     from rich.console import Console
@@ -199,6 +191,7 @@ def _report(table: pandas.DataFrame, files: list[str]) -> None:
             grid.add_row(*(("-" if cell == "nan" else cell) for cell in cells))
         console.print(grid, soft_wrap=False)
     console.print("Speed: mean of both surfaces. Friction: coefficient. Least: thinnest film. Errors: see --output.")
+    console.print(f"Friction is {what}.", markup=False)
     beyond = int(table["friction [N]"].isna().sum())
     if beyond:
         console.print(f"{beyond} of {len(table)} speeds are beyond what can be solved (-).")

@@ -28,6 +28,9 @@ FRICTIONS = {"friction_total": (DOMAIN, -1.0), "friction_contact": (CONTACT, 1.0
 part is the shear on the ball, Eq. (27a).  Couette minus Poiseuille part is the shear on the substrate, which is the whole
 horizontal force on the ball: the pressure pushes the ball, too, and its resultant on an elastic substrate is vertical."""
 
+POINTS = 4
+"""Points of the quadrature between two nodes of a radius."""
+
 INLET_AXIS, OUTLET_AXIS = np.array([0.0]), np.array([np.pi])
 """Coordinate s of the two halves of the x axis: s = θ = 0 upstream, where the liquid enters, and π downstream."""
 
@@ -82,23 +85,35 @@ def integrate(fields: Fields, integrand: Callable[[Array, Array], Array], cutoff
     cutoff : float
         Radius, at most that of the fields' outermost node.
     """
+    xi, s, across, along = _quadrature(fields, cutoff)
+    return 2 * across @ integrand(xi, s) @ along
+
+
+def _quadrature(fields: Fields, cutoff: float) -> tuple[Array, Array, Array, Array]:
+    """Points ξ and s of a quadrature over half the disc r ≤ cutoff, and their weights; `POINTS` of ξ between two nodes."""
     if not 0 < cutoff <= fields.r[-1]:
         raise ValueError(f"cutoff: expected a radius between 0 and {fields.r[-1]:.4g}, got {cutoff!r}")
     chart = fields.chart
     edges = _fine(chart.xi_of(fields.r), 0.0, float(chart.xi_of(cutoff)), 1)
-    x, weight = leggauss(4)
+    x, weight = leggauss(POINTS)
     xi = (edges[:-1, None] + np.diff(edges)[:, None] * (x + 1) / 2).ravel()
     r = chart.r_of(xi)
     across = (np.diff(edges)[:, None] * weight / 2).ravel() * chart.dr_dxi(r) * r
     s = np.linspace(0, np.pi, 4 * (fields.theta.size - 1) + 1)
     along = np.full(s.size, s[1]) * chart.dtheta_ds(s)
     along[[0, -1]] /= 2
-    return 2 * across @ integrand(xi, s) @ along
+    return xi, s, across, along
 
 
 def load_within(fields: Fields, cutoff: float) -> float:
     """Load ∫p dA over r ≤ cutoff, Eq. (27b)."""
     return integrate(fields, lambda xi, s: fields.pressure_spline(xi, s), cutoff)
+
+
+def _friction_densities(fields: Fields, xi: Array, s: Array) -> Array:
+    """Couette and Poiseuille part of the shear stress on the sphere, (η/η₀)/(βū) and 3ū ∂p̄/∂x, on the product of ξ and s."""
+    film = fields.film_spline(xi, s)
+    return np.stack([fields.viscosity_on(xi, s) / (fields.beta * film), 3 * film * fields.gradient_on(xi, s)[0]])
 
 
 def friction_within(fields: Fields, cutoff: float) -> float:
@@ -120,12 +135,7 @@ def friction_parts(fields: Fields, cutoff: float) -> tuple[float, float]:
     poiseuille : float
         ∫ 3ū ∂p̄/∂x dA, which the pressure gradient adds to the shear on the sphere and takes from that on the substrate.
     """
-
-    def parts(xi: Array, s: Array) -> Array:
-        film = fields.film_spline(xi, s)
-        return np.stack([fields.viscosity_on(xi, s) / (fields.beta * film), 3 * film * fields.gradient_on(xi, s)[0]])
-
-    couette, poiseuille = integrate(fields, parts, cutoff)
+    couette, poiseuille = integrate(fields, lambda xi, s: _friction_densities(fields, xi, s), cutoff)
     return float(couette), float(poiseuille)
 
 
@@ -133,6 +143,21 @@ def frictions(parts: Callable[[float], tuple[float, float]]) -> dict[str, float]
     """All of `FRICTIONS`, from the Couette and Poiseuille part as functions of the cut-off radius over the dry contact's."""
     known = {cutoff: parts(cutoff) for cutoff in (CONTACT, DOMAIN)}
     return {name: known[cutoff][0] + sign * known[cutoff][1] for name, (cutoff, sign) in FRICTIONS.items()}
+
+
+def friction_profile(fields: Fields) -> tuple[Array, Array]:
+    """Couette and Poiseuille part of the friction within each node's radius, in units of (2π/3) G h₀².
+
+    Returns
+    -------
+    couette, poiseuille : ndarray, shape (radii,)
+        What `friction_parts` gives for the radii `fields.r`; 0 at the centre.
+    """
+    xi, s, across, along = _quadrature(fields, float(fields.r[-1]))
+    rings = 2 * across * (_friction_densities(fields, xi, s) @ along)
+    within = np.cumsum(rings.reshape(2, -1, POINTS).sum(axis=2), axis=1)
+    couette, poiseuille = np.hstack([np.zeros((2, 1)), within])
+    return couette, poiseuille
 
 
 def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:

@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError, SoftlubeError
-from softlube.experiments.fit_checks import HoldOut, check_held_out, order_of_residuals
+from softlube.experiments.fit_checks import FEWEST_SIGNS, HoldOut, check_held_out, order_of_residuals
 from softlube.experiments.friction_model import Model, make_model, normalised_friction, solve_model
 from softlube.experiments.intervals import Estimate, bootstrap, profile
 from softlube.experiments.load_curve import FORCES
 from softlube.experiments.measurements import Measurements, read_measurements
+from softlube.physical.inputs import BODIES, documented
 from softlube.solvers.progress import Listener, Progress
 
 Array = NDArray[np.floating]
@@ -53,7 +54,8 @@ class Fit:
     interval : {"profile", "bootstrap"}
     robust : bool
     trend : tuple of str and float
-        Along what the residuals are most ordered (beta, load, speed or friction), and the probability of that by chance.
+        Along what the residuals are most ordered (beta, load, speed or friction), and the probability of that by chance; nan
+        where there are too few rows to tell.
     hold_out : HoldOut or None
     region : float or str
         Where the friction was counted.
@@ -109,7 +111,7 @@ class Fit:
             "force": self.model.force,
             "region": self.region,
             "beta": [float(self.beta.min()), float(self.beta.max())],
-            "trend": {"along": self.trend[0], "probability": end(self.trend[1])},
+            "trend": {"along": self.trend[0] or None, "probability": end(self.trend[1])},
             "hold_out": None if self.hold_out is None else vars(self.hold_out) | {"lines": list(self.hold_out.lines)},
             "viscosity_otherwise": [{"force": f, "region": r, "viscosity": v} for (f, r), v in self.others.items()],
             "verdicts": list(self.verdicts),
@@ -123,12 +125,10 @@ class Fit:
         return plot_fit(self, path)
 
 
+@documented(BODIES)
 def fit(
     data: Measurements | str | os.PathLike[str],
     *,
-    radius: object,
-    young_modulus: object = None,
-    viscosity: object = None,
     friction_offset: float = 0.0,
     free: Sequence[str] = ("viscosity",),
     noise: str = "relative",
@@ -137,23 +137,23 @@ def fit(
     confidence: float = 0.95,
     hold_out: float = 0.0,
     seed: int = 0,
-    force: str = "sphere",
+    force: str = "total",
     region: str | float = 2.0,
     compare: bool = True,
     progress: Listener | None = None,
+    **given: Any,
 ) -> Fit:
-    """Fit viscosity, modulus or a friction offset to measured friction.
+    """Fit viscosity, modulus, a friction offset or another parameter to measured friction.
 
     Parameters
     ----------
     data : Measurements or path
         Measurements, or a CSV file for `softlube.experiments.measurements.read_measurements`.
-    radius, young_modulus, viscosity : str, float or pint.Quantity
-        As for `Contact`; a parameter that is fitted may be given to start from.
     friction_offset : float
         Force that is added to the friction of the film, N.
     free : sequence of str
-        Of viscosity, young_modulus (or modulus), friction_offset (or offset).
+        Of viscosity, young_modulus (or modulus), friction_offset (or offset), and any other positive input with a unit, such as
+        thickness or pressure_viscosity, which needs a value to start from.
     noise : {"relative", "absolute"}
         Whether the scatter is in proportion to the friction, or the same for all.  Its size is taken from the residuals.
     robust : bool
@@ -173,6 +173,10 @@ def fit(
         Whether to repeat the fit for the other forces and regions.
     progress : callable, optional
         Called with a `softlube.solvers.progress.Progress` after each solution and for each parameter.
+    **given
+        Bodies and liquid: parts, or the inputs that follow, as for `softlube.Contact`.  A parameter that is fitted may be given
+        to start from.
+    {inputs}
 
     Returns
     -------
@@ -206,14 +210,12 @@ def fit(
         data = replace(data.take(np.sort(order[count:])), notices=everything.notices)
     model = make_model(
         data,
-        radius=radius,
-        young_modulus=young_modulus,
-        viscosity=viscosity,
         friction_offset=friction_offset,
         free=free,
         noise=noise,
         force=force,
         region=region,
+        **given,
     )
 
     model, optimum = solve_model(model, region, robust=robust, progress=progress)
@@ -260,7 +262,7 @@ def _others(
         if progress is not None:
             progress(Progress("other forces and regions", number, len(pairs)))
         try:
-            again, optimum = solve_model(replace(model, force=force, curve=None), other, robust=robust, start=values)
+            again, optimum = solve_model(replace(model, force=force, family=None), other, robust=robust, start=values)
         except SoftlubeError:  # such as contacts beyond what can be solved: then there is no comparison
             continue
         found[force, other] = again.values(optimum.x)["viscosity"]
@@ -271,7 +273,7 @@ def verdicts(found: Fit) -> tuple[str, ...]:
     """Whether the data determine the parameters, in sentences."""
     low, high = float(found.beta.min()), float(found.beta.max())
     result = [f"The data span beta = {low:.3g} to {high:.3g}, {math.log10(high / low):.1f} decades."]
-    curve = found.model.curve
+    curve = found.model.family
     if curve is not None and high > curve.high:
         result.append(
             f"{int((found.beta > curve.high).sum())} rows lie above beta = {curve.high:.3g}, up to which the curve was "
@@ -299,7 +301,12 @@ def verdicts(found: Fit) -> tuple[str, ...]:
     if all(estimate.determined for estimate in found.estimates.values()):
         result.append("The data determine " + ", ".join(names) + f" within the interval{'s' if len(names) > 1 else ''} stated.")
     along, probability = found.trend
-    if probability < DOUBTFUL:
+    if math.isnan(probability):
+        result.append(
+            f"{len(found.residuals)} rows are too few to tell whether the residuals have an order, "
+            f"and so whether the model describes the data: measure {2 * FEWEST_SIGNS} or more."
+        )
+    elif probability < DOUBTFUL:
         result.append(
             f"The residuals are ordered along the {along} (probability by chance {probability:.1g}): the model, or a "
             "parameter that is held, does not describe the data, and the intervals are too narrow."

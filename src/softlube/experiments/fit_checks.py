@@ -43,23 +43,30 @@ class HoldOut:
 
 
 def order_of_residuals(model: Model, values: dict[str, float], residuals: Array) -> tuple[str, float]:
-    """Along what the residuals are most ordered, and its probability, times the number of orders tried (Bonferroni)."""
+    """Along what the residuals are most ordered, and its probability, times the number of orders tried (Bonferroni).
+
+    Nothing and nan where there are too few residuals to tell, see `FEWEST_SIGNS`.
+    """
     orders = {
         "beta": model.beta(values),
         "load": model.data.load,
         "speed": model.data.speed,
         "friction": model.friction(values),  # the model's: the measured one shares its noise with the residual
     }
-    name, probability = min(((name, _runs(order, residuals)) for name, order in orders.items()), key=lambda pair: pair[1])
-    return name, min(1.0, len(orders) * probability)
+    found = {name: _runs(order, residuals) for name, order in orders.items()}
+    told = {name: probability for name, probability in found.items() if not math.isnan(probability)}
+    if not told:
+        return "", math.nan
+    name = min(told, key=told.__getitem__)
+    return name, min(1.0, len(orders) * told[name])
 
 
 def _runs(order: Array, residuals: Array) -> float:
-    """Probability of so few runs of equal sign (Wald & Wolfowitz)."""
+    """Probability of so few runs of equal sign (Wald & Wolfowitz); nan where too few residuals have either sign."""
     signs = residuals[np.argsort(order, kind="stable")] > np.median(residuals)
     above, below = int(signs.sum()), int((~signs).sum())
     if min(above, below) < FEWEST_SIGNS:
-        return 1.0
+        return math.nan
     runs = 1 + int(np.count_nonzero(signs[1:] != signs[:-1]))
     mean = 1 + 2 * above * below / (above + below)
     variance = (mean - 1) * (mean - 2) / (above + below - 1)

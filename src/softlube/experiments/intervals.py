@@ -12,7 +12,7 @@ from scipy import stats
 from scipy.optimize import brentq
 
 from softlube.errors import NotConvergedError
-from softlube.experiments.friction_model import UNITS, Model, Optimum, optimise
+from softlube.experiments.friction_model import Model, Optimum, optimise, unit_of
 from softlube.solvers.progress import Listener, Progress
 
 Array = NDArray[np.floating]
@@ -21,6 +21,10 @@ RESAMPLES = 400
 """Data sets drawn for a bootstrap."""
 UNDETERMINED = 2.0
 """Factor between the ends of an interval from which on a parameter counts as not determined."""
+ROUNDING = 1e-12
+"""Residual that is no more than rounding."""
+WIDEST_STEP = 0.5
+"""Standard deviation, in logarithm, from which the search for an interval's end starts at most."""
 FARTHEST = 7.0
 """Distance in logarithm, a factor of 1000, up to which the end of an interval is looked for."""
 
@@ -52,7 +56,8 @@ def profile(model: Model, optimum: Optimum, name: str, confidence: float, progre
     k = model.free.index(name)
     best = optimum.x
     freedom = max(len(model.data) - best.size, 1)
-    level = optimum.sum_of_squares * (1 + stats.t.ppf((1 + confidence) / 2, freedom) ** 2 / freedom)
+    least = max(optimum.sum_of_squares, len(model.data) * ROUNDING**2)
+    level = least * (1 + stats.t.ppf((1 + confidence) / 2, freedom) ** 2 / freedom)
     others = tuple(n for n in model.free if n != name)
     last = dict(model.values(best))
 
@@ -68,15 +73,18 @@ def profile(model: Model, optimum: Optimum, name: str, confidence: float, progre
             total = float(residuals @ residuals)
         return math.log(max(total, 1e-300) / max(level, 1e-300))
 
-    deviation = math.sqrt(max(float(optimum.covariance[k, k]), 1e-12))
+    deviation = min(math.sqrt(max(float(optimum.covariance[k, k]), 1e-12)), WIDEST_STEP)
     ends: list[float | None] = []
+    bounds = model.bounds()
     for number, sign in enumerate((-1, 1)):
         if progress is not None:
             progress(Progress(f"interval of {name}", number, 2))
         last.update(model.values(best))
         inside, step, end = float(best[k]), 2 * deviation, None
         while end is None and abs(inside - best[k]) < FARTHEST:
-            outside = inside + sign * step
+            outside = float(np.clip(inside + sign * step, bounds[0][k], bounds[1][k]))
+            if outside == inside:  # as far as the curves reach
+                break
             try:
                 if excess(outside) > 0:
                     end = float(brentq(excess, inside, outside, xtol=1e-4 * deviation + 1e-12))
@@ -121,7 +129,7 @@ def _estimate(model: Model, name: str, best: Array, ends: Sequence[float | None]
     lowest = -math.inf if name == "friction_offset" else 0.0
     low, high = (None if end is None else _value(model, best, k, end) for end in ends)
     value = _value(model, best, k, float(best[k]))
-    return Estimate(value, lowest if low is None else low, math.inf if high is None else high, UNITS[name])
+    return Estimate(value, lowest if low is None else low, math.inf if high is None else high, unit_of(name))
 
 
 def _value(model: Model, best: Array, k: int, x: float) -> float:

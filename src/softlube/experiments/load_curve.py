@@ -1,48 +1,56 @@
-"""Film and friction at a given load as smooth functions of β: solutions on a few β, and a spline in ln β between them.
+"""Film and friction of one contact at a given load as smooth functions of β.
 
-A Stribeck curve or a fit asks for thousands of contacts that differ in one number, β of Eq. (30).  Under load control every
-result is a function of it alone, in units of the load's Hertz contact: lengths along the surface √(Rδ), films δ, and forces
-(2π/3) G δ², δ of Eq. (29).  The curves are nearly straight in logarithms, so five solutions a decade give four digits.
+A Stribeck curve or a fit asks for thousands of contacts that differ in one number, β of Eq. (30): with the load the speed is
+all that changes, and layers and liquids are, in units of the load's Hertz contact, what they are.  So every result is a
+function of β alone: lengths along the surface √(Rδ), films δ, and forces (2π/3) G δ², δ of Eq. (29).
 
-Friction is the sum of a Couette part C = ∫ η(v₁ − v₂)/u dA and a Poiseuille part P = ∫ (u/2) ∂p/∂x dA, Eq. (27a).  They are
-kept apart, because P does not depend on which surface slides and changes sign from one surface to the other, Eq. (25).
+For the half-space with constant viscosity the functions come from the master curve (`softlube.theory.master_curve`) where it
+has them.  For any other problem that can be solved they are computed: solutions placed where they are needed
+in parallel, and kept (`softlube.experiments.curves`).
+
+Friction is the sum of a Couette part C = ∫ η(v₁ − v₂)/u dA and a Poiseuille part P = ∫ (u/2) ∂p/∂x dA, Eq. (27a).  P does not
+depend on which surface slides and changes sign from one surface to the other, Eq. (25).
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
-from typing import get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline
 
-from softlube.discretization.measure import CONTACT, DOMAIN, integrate
-from softlube.errors import InputError, NotConvergedError
-from softlube.model.problem import Cavitation
-from softlube.solvers.progress import Listener, Progress
-from softlube.steady.solution import Solution
-from softlube.steady.solve import solve
+from softlube.discretization.measure import CONTACT, DOMAIN
+from softlube.errors import InputError
+from softlube.experiments.adaptive import Numbers
+from softlube.experiments.curves import Computing, clipped
+from softlube.experiments.nodes import Node, at, solving
+from softlube.model.liquids import NewtonianLaw
+from softlube.model.problem import Problem
+from softlube.model.substrates import HalfSpaceKernel
+from softlube.solvers.progress import Listener
+from softlube.steady.solve import check_accuracy
 
 Array = NDArray[np.floating]
 
 ACCURACY = 3e-3
 """Relative accuracy of the solutions: the friction then has errors below 0.1 %, the minimum film below 1 %."""
-PER_DECADE = 5
-"""Solutions a decade of β."""
-MARGIN = 1
-"""Nodes beyond either end of the range asked for: splines are least accurate at their ends."""
-FEWEST = 5
-"""Least number of nodes of a curve."""
-WIDEST = (1e-4, 1e8)
-"""Range of β_load outside which nothing is solved."""
-FORCES = ("sphere", "total", "couette")
+FORCES = ("total", "sphere", "couette")
 """Which force is called the friction; see `LoadCurve.friction`."""
+WORDS = {
+    "total": "the whole horizontal force on the ball (total)",
+    "sphere": "the shear on the ball, Eq. (27a) (sphere)",
+    "couette": "the mean shear on both surfaces (couette)",
+}
+"""The forces in words."""
 REGIONS = {"contact": CONTACT, "domain": DOMAIN}
-"""Radii of the regions with a name, as in `softlube.discretization.measure`."""
+"""Radii of the regions with a name over the dry contact's, as in `softlube.discretization.measure`."""
+FILMS = ("film_center", "film_min")
+ROOM = 3.0
+"""Factor of the accuracy up to which errors of the master curve are taken: they are told with its values, and the largest, near
+β_load = 5, where the height h₀ changes its sign, are large only because they are safe."""
+MASTER = {"film_center": "film_center", "film_min": "film_min", "total": "friction_total", "sphere": "friction_domain"}
+"""Quantities of the master curve by the names that a load curve gives them; the frictions over `DOMAIN`."""
 
 
 def parse_region(text: str) -> str | float:
@@ -61,64 +69,14 @@ def parse_region(text: str) -> str | float:
     return region
 
 
-@dataclass(frozen=True)
-class Node:
-    """One solution under load control, in units of the load's Hertz contact.
-
-    Attributes
-    ----------
-    film_center, film_min : float
-        Over δ.
-    couette : float
-        Couette part of the friction for sliding without rolling, over (2π/3) G δ².
-    poiseuille : float
-        Poiseuille part over the Couette part.
-    errors : tuple of float
-        Relative errors of the first three.
-    """
-
-    film_center: float
-    film_min: float
-    couette: float
-    poiseuille: float
-    errors: tuple[float, float, float]
+def described(force: str, region: str | float) -> str:
+    """A friction in words, such as "the whole horizontal force on the ball (total), within 2 radii of the dry contact"."""
+    return f"{WORDS[force]}, within {radius_of(region):g} radii of the dry contact"
 
 
-@lru_cache(maxsize=400)
-def _solution(index: int, cavitation: Cavitation, accuracy: float) -> Solution | str:
-    """Solution at β_load = 10^(index/PER_DECADE), or why there is none."""
-    reason = ""
-    for attempt in (accuracy, 5 * accuracy):
-        try:
-            return solve(beta_load=10 ** (index / PER_DECADE), cavitation=cavitation, accuracy=attempt)
-        except NotConvergedError as error:
-            reason = reason or str(error)
-    return reason
-
-
-@lru_cache(maxsize=4000)
-def _node(index: int, region: str | float, cavitation: Cavitation, accuracy: float) -> Node | None:
-    solution = _solution(index, cavitation, accuracy)
-    if isinstance(solution, str):
-        return None
-    fields, values = solution.fields, solution.quantities
-    cutoff = REGIONS[region] if isinstance(region, str) else region
-    if cutoff > fields.r[-1]:
-        return None
-
-    def part(integrand: Callable[[Array, Array], Array]) -> float:
-        return integrate(fields, integrand, cutoff)
-
-    poiseuille = part(lambda xi, s: 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0])
-    couette = part(lambda xi, s: 1 / (fields.beta * fields.film_spline(xi, s)))
-    center, least, friction = (values[name] for name in ("film_center", "film_min", "friction_domain"))
-    return Node(
-        float(center),
-        float(least),
-        couette,
-        poiseuille / couette,
-        (center.error / center, least.error / least, friction.error / abs(friction)),
-    )
+def radius_of(region: str | float) -> float:
+    """The radius of a region over the dry contact's."""
+    return REGIONS[region] if isinstance(region, str) else region
 
 
 @dataclass(frozen=True)
@@ -130,72 +88,49 @@ class LoadCurve:
     low, high : float
         Range of β_load in which the curve holds; beyond it values are nan.
     region : str or float
-        Where the friction is counted: a radius in units of the load's Hertz contact radius √(Rδ), which stays where it is when
+        Where the friction is counted: a radius in units of that of the dry contact under the load, which stays where it is when
         the speed changes; or the name of one, "contact" (1) or "domain" (2, the paper's).
-    nodes : tuple of Node
-        The solutions, by rising β.
-    log_beta : ndarray
-        ln β_load of the nodes.
+    functions : mapping of str to callable
+        Value and absolute error as functions of β_load: the films over δ, and for sliding without rolling the whole friction
+        ("total") and the shear on the sphere ("sphere") over (2π/3) G δ².
     """
 
     low: float
     high: float
     region: str | float
-    nodes: tuple[Node, ...]
-    log_beta: Array
+    functions: Mapping[str, Callable[[Array], tuple[Array, Array]]]
 
-    @cached_property
-    def _splines(self) -> dict[str, CubicSpline]:
-        return {name: self._spline(name) for name in ("film_center", "film_min", "couette", "poiseuille")}
-
-    def _spline(self, name: str, every: int = 1) -> CubicSpline:
-        values = np.array([getattr(node, name) for node in self.nodes])[::every]
-        return CubicSpline(self.log_beta[::every], values if name == "poiseuille" else np.log(values))
-
-    def _at(self, name: str, beta_load: ArrayLike) -> Array:
+    def _at(self, name: str, beta_load: ArrayLike) -> tuple[Array, Array]:
         beta = np.asarray(beta_load, dtype=float)
         inside = (beta >= self.low) & (beta <= self.high)
-        values = self._splines[name](np.log(np.where(inside, beta, self.low)))
-        return np.where(inside, values if name == "poiseuille" else np.exp(values), np.nan)
+        value, error = self.functions[name](np.where(inside, beta, self.low))
+        return np.where(inside, value, np.nan), np.where(inside, error, np.nan)
 
-    def film_center(self, beta_load: ArrayLike) -> Array:
-        """Film at the centre over δ."""
-        return self._at("film_center", beta_load)
+    def film(self, name: str, beta_load: ArrayLike) -> tuple[Array, Array]:
+        """film_center or film_min over δ, with its error."""
+        return self._at(name, beta_load)
 
-    def film_min(self, beta_load: ArrayLike) -> Array:
-        """Minimum film over δ."""
-        return self._at("film_min", beta_load)
-
-    def friction(self, beta_load: ArrayLike, *, force: str = "sphere", slide_to_roll: ArrayLike = 2.0) -> Array:
-        """Friction over (2π/3) G δ².
+    def friction(self, beta_load: ArrayLike, *, force: str = "total", slide_to_roll: ArrayLike = 2.0) -> tuple[Array, Array]:
+        """Friction over (2π/3) G δ², with its error.
 
         Parameters
         ----------
         beta_load : array_like
             β of Eq. (30), formed with the sum of the surface speeds.
-        force : {"sphere", "total", "couette"}
-            C + P, the shear of the liquid on the sphere, Eq. (27a).  Or C − P, the shear on the flat substrate, which is the
-            whole horizontal force: the pressure pushes the sphere back, too, by ∫ p ∂h/∂x dA = −2P, while ∫ p ∂w/∂x dA = 0 for
-            an elastic substrate.  Or C alone, the mean of the shear on both surfaces.
+        force : {"total", "sphere", "couette"}
+            C − P, the whole horizontal force, which is also the shear on the flat substrate: the pressure pushes the sphere
+            back, too, by ∫ p ∂h/∂x dA = −2P, while ∫ p ∂w/∂x dA = 0 for an elastic substrate.  Or C + P, the shear of the
+            liquid on the sphere, Eq. (27a).  Or C alone, the mean of the shear on both surfaces.
         slide_to_roll : array_like
-            (v₁ − v₂) over the mean of both; 2 where the substrate rests, as in the paper.
+            Difference of the surface speeds over their mean; 2 without rolling, as in the paper.
         """
-        couette = self._at("couette", beta_load)
-        sign = {"sphere": 1.0, "total": -1.0, "couette": 0.0}[force]
-        return couette * (np.asarray(slide_to_roll) / 2 + sign * self._at("poiseuille", beta_load))
-
-    def relative_error(self, name: str, beta_load: ArrayLike) -> Array:
-        """Estimated relative error of film_center, film_min or couette: of the solutions, and of the spline between them.
-
-        The spline's is what the spline through every other node misses on those left out, divided by eight (fourth order would
-        be sixteen).
-        """
-        column = ("film_center", "film_min", "couette").index(name)
-        log_beta = np.log(np.clip(np.asarray(beta_load, dtype=float), self.low, self.high))
-        solver = np.interp(log_beta, self.log_beta, [node.errors[column] for node in self.nodes])
-        between = self.log_beta[1:-1:2]
-        missed = np.abs(self._spline(name, every=2)(between) - self._splines[name](between)) / 8
-        return np.where(np.isnan(self._at(name, beta_load)), np.nan, solver + np.interp(log_beta, between, missed))
+        (total, total_error), (sphere, sphere_error) = (self._at(name, beta_load) for name in ("total", "sphere"))
+        sliding = np.asarray(slide_to_roll, dtype=float) / 4
+        # C S/2 ∓ P from C − P and C + P.
+        rolling = {"total": 0.5, "sphere": -0.5, "couette": 0.0}[force]
+        of_total, of_sphere = sliding + rolling, sliding - rolling
+        error = np.abs(of_total) * total_error + np.abs(of_sphere) * sphere_error
+        return of_total * total + of_sphere * sphere, error
 
 
 def check_friction(force: str, region: str | float) -> None:
@@ -215,28 +150,27 @@ def check_friction(force: str, region: str | float) -> None:
 
 
 def load_curve(
+    problem: Problem,
     low: float,
     high: float,
     *,
-    region: str | float = 2.0,
-    cavitation: Cavitation = "reynolds",
+    region: str | float = DOMAIN,
     accuracy: float = ACCURACY,
     progress: Listener | None = None,
 ) -> LoadCurve:
     """Film and friction at a given load over a range of β_load.
 
-    Solutions are kept in memory, so that a second curve costs little.
-
     Parameters
     ----------
+    problem : Problem
+        Substrate, liquid and cavitation under a prescribed load; its β_load counts for nothing.
     low, high : float
         Range wanted; the curve covers as much of it as can be solved (`LoadCurve.low`, `LoadCurve.high`).
     region : str or float
         See `LoadCurve`.
-    cavitation : {"reynolds", "none"}
-        See `softlube.solve`.
     accuracy : float
-        Of the solutions; see `softlube.solve`.  Where it cannot be reached, five times that is tried.
+        Of the solutions, see `softlube.solve`, and of what is interpolated between them.  Where it cannot be reached, five
+        times that is tried.
     progress : callable, optional
         Called with a `softlube.solvers.progress.Progress` after each solution.
 
@@ -247,31 +181,65 @@ def load_curve(
     NotConvergedError
         If no part of the range can be solved.
     """
-    check_friction("sphere", region)
-    if not 0 < low <= high < math.inf or cavitation not in get_args(Cavitation):
-        raise InputError(f"beta_load: expected a range of positive numbers, got {low!r} to {high!r}")
-    low, high = (min(max(end, WIDEST[0]), WIDEST[1]) for end in (low, high))
-    first = math.floor(PER_DECADE * math.log10(low)) - MARGIN
-    last = math.ceil(PER_DECADE * math.log10(high)) + MARGIN
-    # Downwards from heavy loads, where all is well, until light ones cannot be solved.
-    found: dict[int, Node] = {}
-    failures = 0
-    for done, index in enumerate(range(last, first - 1, -1), 1):
-        node = _node(index, region, cavitation, accuracy)
-        if node is not None:
-            found[index] = node
-        failures = 0 if node is not None else failures + 1
-        if progress is not None:
-            progress(Progress("solving the curve", done, last - first + 1))
-        if len(found) >= FEWEST and failures == 2:
-            break
-    if len(found) < FEWEST:
-        reason = _solution(last, cavitation, accuracy)
-        raise NotConvergedError(
-            f"the curve from beta_load = {low:.3g} to {high:.3g} cannot be had"
-            + (f": {reason}" if isinstance(reason, str) else "")
-        )
-    order = sorted(found)
-    log_beta = math.log(10) / PER_DECADE * np.array(order)
-    ends = float(np.exp(log_beta[0])), float(np.exp(log_beta[-1]))
-    return LoadCurve(max(low, ends[0]), min(high, ends[1]), region, tuple(found[i] for i in order), log_beta)
+    (curve,) = load_curves([(problem, low, high)], region=region, accuracy=accuracy, progress=progress)
+    return curve
+
+
+def load_curves(
+    wanted: Sequence[tuple[Problem, float, float]],
+    *,
+    region: str | float = DOMAIN,
+    accuracy: float = ACCURACY,
+    progress: Listener | None = None,
+) -> list[LoadCurve]:
+    """Several curves, those of several loads, say.
+
+    Parameters
+    ----------
+    wanted : sequence of (Problem, float, float)
+        Problem and range of each, see `load_curve`.  A problem that is there twice has one curve over both ranges.
+    region, accuracy, progress
+        See `load_curve`.
+    """
+    check_friction(FORCES[0], region)
+    check_accuracy(accuracy)
+    ranges: dict[Problem, tuple[float, float]] = {}
+    for problem, low, high in wanted:
+        low, high = clipped(low, high)
+        before = ranges.get(at(problem, 1.0), (low, high))
+        ranges[at(problem, 1.0)] = min(low, before[0]), max(high, before[1])
+    with solving() as nodes:
+        computing = Computing(nodes, accuracy, progress)
+        curves = {
+            problem: _from_table(problem, *ends, region, accuracy) or _computed(computing, problem, *ends, region)
+            for problem, ends in ranges.items()
+        }
+    return [curves[at(problem, 1.0)] for problem, _, _ in wanted]
+
+
+def _computed(computing: Computing, problem: Problem, low: float, high: float, region: str | float) -> LoadCurve:
+    radius = radius_of(region)
+
+    def read(node: Node) -> Numbers:
+        return {name: node.quantities[name] for name in FILMS} | node.friction(radius)
+
+    functions = computing.curves(problem, low, high, list(MASTER), read)
+    ends = [(float(each.beta[0]), float(each.beta[-1])) for each in functions.values()]
+    return LoadCurve(max(first for first, _ in ends), min(last for _, last in ends), region, functions)
+
+
+def _from_table(problem: Problem, low: float, high: float, region: str | float, accuracy: float) -> LoadCurve | None:
+    """The curve from the master curve, None where that has not all of it, or not as accurately."""
+    if (problem.substrate, problem.liquid, radius_of(region)) != (HalfSpaceKernel(), NewtonianLaw(), DOMAIN):
+        return None
+    from softlube.theory import master_curve as master
+
+    if not set(MASTER.values()) <= set(master.available("load")):
+        return None
+    curves = {ours: master.curve(name, "load", problem.cavitation) for ours, name in MASTER.items()}
+    place = np.geomspace(low, high, 200)
+    for curve in curves.values():
+        value, error = curve(place)
+        if np.any(error > ROOM * accuracy * np.abs(value)):
+            return None
+    return LoadCurve(low, high, region, curves)

@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from softlube.errors import InputError
-from softlube.experiments.load_curve import LoadCurve, check_friction, load_curve
+from softlube.experiments.load_curve import ACCURACY, FILMS, LoadCurve, check_friction, load_curves
+from softlube.model.motions import Sliding
 from softlube.model.quantities import header
+from softlube.physical.contact import Contact
 from softlube.physical.inputs import declared
-from softlube.physical.rig import Rig, hertz_force
+from softlube.physical.rig import Rig
 from softlube.physical.roughness import lubrication
 from softlube.physical.units import to_si
 from softlube.solvers.progress import Listener
@@ -26,42 +28,42 @@ MOST_POINTS = 10_000
 
 
 def stribeck_curve(
-    rig: Rig,
-    loads: object,
+    contact: Contact | Rig,
+    loads: object = None,
     *,
     slowest: object = None,
     fastest: object = None,
     points: int = 61,
     slide_to_roll: float = 2.0,
     roughness: object = None,
-    force: str = "sphere",
+    force: str = "total",
     region: str | float = 2.0,
-    accuracy: float = 3e-3,
+    accuracy: float = ACCURACY,
     progress: Listener | None = None,
 ) -> pandas.DataFrame:
     """Film and friction against entrainment speed.
 
     Parameters
     ----------
-    rig : Rig
-        Bodies and liquid.
-    loads : str, float, pint.Quantity or a sequence of them
-        Normal loads.
+    contact : Contact or Rig
+        Bodies and liquid; the speed of a contact counts for nothing.
+    loads : str, float, pint.Quantity or a sequence of them, optional
+        Normal loads; the contact's own if not given.
     slowest, fastest : str, float or pint.Quantity, optional
         Ends of the range of entrainment speeds; as wide as can be solved where not given.
     points : int
         Speeds, equally far apart in logarithm.
     slide_to_roll : float
-        (v₁ − v₂) over the mean of v₁ and v₂: 2 for a substrate at rest (the paper's case), 0 for pure rolling, −2 for a ball at
-        rest.
+        Difference of the surface speeds over their mean: 2 for a substrate at rest (the paper's case), 0 for pure rolling, −2
+        for a ball at rest.
     roughness : str, float or pint.Quantity, optional
-        Root mean square roughness of both surfaces together, for λ.
-    force : {"sphere", "total", "couette"}
+        Root mean square roughness of both surfaces together, for λ; the contact's own if not given.
+    force : {"total", "sphere", "couette"}
         See `softlube.experiments.load_curve.LoadCurve.friction`.
     region : float or {"domain", "contact"}
-        Where friction is counted, in units of the load's Hertz contact radius; see `softlube.experiments.load_curve.LoadCurve`.
+        Where friction is counted, in radii of the dry contact; see `softlube.experiments.load_curve.LoadCurve`.
     accuracy : float
-        Of the solutions behind the curve.
+        Of the solutions behind the curve, and of what is interpolated between them.
     progress : callable, optional
         Called with a `softlube.solvers.progress.Progress` after each solution.
 
@@ -86,61 +88,81 @@ def stribeck_curve(
         raise InputError(f"slide_to_roll: expected a finite number such as 2, got {slide_to_roll!r}")
     if isinstance(points, bool) or not 2 <= points <= MOST_POINTS:
         raise InputError(f"points: expected a whole number from 2 to {MOST_POINTS}, got {points!r}")
-    given = list(loads) if isinstance(loads, Sequence) and not isinstance(loads, str) else [loads]
-    if not given:
+    own = contact.load if isinstance(contact, Contact) else None
+    given = own if loads is None else loads
+    given = list(given) if isinstance(given, Sequence) and not isinstance(given, str) else [given]
+    if not given or given == [None]:
         raise InputError("load: missing; expected a force such as '100 mN'")
     in_si = declared()["load"].read_all(given)
     ends = [None if speed is None else to_si("entrainment_speed", speed) for speed in (slowest, fastest)]
     if ends[0] is not None and ends[1] is not None and ends[0] >= ends[1]:
         raise InputError(f"slowest, fastest: expected a slower and a faster speed, got {ends[0]:g} and {ends[1]:g} m/s")
-    height = None if roughness is None else to_si("roughness", roughness)
+    height = contact.roughness if roughness is None and isinstance(contact, Contact) else roughness
+    height = None if height is None else to_si("roughness", height)
 
-    at_unit_speed = [rig.contact(load=load, entrainment_speed=1.0).problem().parameter for load in in_si]
+    at_unit_speed = [_under(contact, load) for load in in_si]
+    problems = [each.problem() for each in at_unit_speed]
+    slow_beta = None if ends[0] is None else [problem.parameter / ends[0] for problem in problems]
+    fast_beta = None if ends[1] is None else [problem.parameter / ends[1] for problem in problems]
     wanted = [
-        WIDE[0] if ends[1] is None else min(at_unit_speed) / ends[1],
-        WIDE[1] if ends[0] is None else max(at_unit_speed) / ends[0],
+        (problem, WIDE[0] if fast_beta is None else fast_beta[i], WIDE[1] if slow_beta is None else slow_beta[i])
+        for i, problem in enumerate(problems)
     ]
-    curve = load_curve(*wanted, region=region, cavitation=rig.cavitation, accuracy=accuracy, progress=progress)
+    curves = load_curves(wanted, region=region, accuracy=accuracy, progress=progress)
     rows = []
-    for load, beta in zip(in_si, at_unit_speed, strict=True):
+    for load, each, curve in zip(in_si, at_unit_speed, curves, strict=True):
+        beta = each.problem().parameter
         slow = beta / curve.high if ends[0] is None else ends[0]
         fast = beta / curve.low if ends[1] is None else ends[1]
         if slow >= fast:
             raise InputError(f"slowest, fastest: nothing can be solved between them at {load:g} N")
-        # The quotients above may land a rounding error outside the curve.
         speeds = np.geomspace(slow, fast, points)
-        betas = beta / speeds
-        if ends[0] is None or ends[1] is None:
-            betas = np.clip(betas, *(curve.low if ends[1] is None else 0.0, curve.high if ends[0] is None else math.inf))
-        rows.append(_rows(rig, curve, load, speeds, betas, slide_to_roll, force, height))
+        rows.append(_rows(each, curve, load, speeds, _inside(beta / speeds, curve), slide_to_roll, force, height))
     return pd.concat(rows, ignore_index=True)
 
 
+def _under(contact: Contact | Rig, load: float) -> Contact:
+    """The contact under another load, with an entrainment speed of 1 m/s."""
+    if isinstance(contact, Rig):
+        return contact.contact(load=load, entrainment_speed=1.0)
+    return Contact(**vars(contact) | {"load": load, "indentation": None, "motion": Sliding(2.0)})
+
+
+def _inside(beta: Any, curve: LoadCurve) -> Any:
+    """β, which may lie a rounding error outside the curve where a speed is that of its end."""
+    near = np.clip(beta, curve.low, curve.high)
+    return np.where(np.isclose(near, beta, rtol=1e-12, atol=0), near, beta)
+
+
 def _rows(
-    rig: Rig, curve: LoadCurve, load: float, speeds: Any, betas: Any, slide_to_roll: float, force: str, roughness: float | None
+    contact: Contact,
+    curve: LoadCurve,
+    load: float,
+    speeds: Any,
+    betas: Any,
+    slide_to_roll: float,
+    force: str,
+    roughness: float | None,
 ) -> pandas.DataFrame:
     import pandas as pd
 
-    contact = rig.contact(load=load, entrainment_speed=1.0)
-    friction = hertz_force(contact) * curve.friction(betas, force=force, slide_to_roll=slide_to_roll)
-    # The Poiseuille part has about the error of the Couette part of pure sliding; S = 0 must not leave it without any.
-    scale = hertz_force(contact) * np.abs(curve.friction(betas, force="couette"))
-    error = scale * curve.relative_error("couette", betas) * max(abs(slide_to_roll) / 2, 0.1)
+    scales = contact.scales(contact.unit_height)
+    friction, error = (scales["friction"][0] * each for each in curve.friction(betas, force=force, slide_to_roll=slide_to_roll))
     data: dict[str, Any] = {
         "load [N]": np.full(speeds.size, load),
         "entrainment_speed [m/s]": speeds,
         "slide_to_roll": np.full(speeds.size, slide_to_roll),
-        "hersey": rig.hersey(load, 1.0) * speeds,
+        "hersey": contact.viscosity * contact.radius / load * speeds,
         "beta_load": betas,
         "friction [N]": friction,
         "friction_error [N]": error,
         "friction_coefficient": friction / load,
         "friction_coefficient_error": error / load,
     }
-    for name in ("film_center", "film_min"):
-        film = contact.unit_height * getattr(curve, name)(betas)
+    for name in FILMS:
+        film, error = (scales["height"][0] * each for each in curve.film(name, betas))
         data[header(name, "m")] = film
-        data[header(name, "m", error=True)] = film * curve.relative_error(name, betas)
+        data[header(name, "m", error=True)] = error
     if roughness is not None:
         ratio = data["film_min [m]"] / roughness
         data["lambda_ratio"] = ratio

@@ -68,16 +68,20 @@ def _some(size: int) -> slice:
 
 
 def _collapse(ax: Axes, found: Fit) -> None:
-    curve = found.model.curve
-    assert curve is not None
+    family = found.model.family
+    assert family is not None
     beta, friction = found.points
     some = _some(beta.size)
     load = 1e3 * found.model.data.load
     dots = ax.scatter(beta[some], friction[some], c=load[some], s=9, cmap="viridis", linewidths=0, zorder=3)
     ax.figure.colorbar(dots, ax=ax, label="load [mN]")
-    low, high = max(beta.min() / 2, curve.low), min(beta.max() * 2, curve.high)
+    low, high = max(beta.min() / 2, family.low), min(beta.max() * 2, family.high)
     line = np.geomspace(low, high, 200)
-    ax.plot(line, curve.friction(line, force=found.model.force), color="black", lw=1, label="softlube, sliding")
+    # Where each load has a curve of its own, those of the lightest and the heaviest.
+    loads = np.array([load.min(), load.max()]) / 1e3 * found.model.acts_like_load(found.values)
+    for number, (load_drawn, style) in enumerate(zip(loads[: family.loads.size], ("-", "--"), strict=False)):
+        name = "softlube, sliding" if family.loads.size == 1 else f"softlube, {('lightest', 'heaviest')[number]} load"
+        ax.plot(line, family.friction(load_drawn, line, force=found.model.force), style, color="black", lw=1, label=name)
     ax.plot(line, PAPER_FIT[0] * line ** -PAPER_FIT[1], ":", color="black", lw=1, label="paper, Eq. (28)")
     ax.set(xscale="log", yscale="log", xlabel=r"$\beta$", ylabel=r"$3F/(2\pi G\delta^2)$")
     ax.legend(loc="lower left")

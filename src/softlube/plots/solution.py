@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
+    from softlube.experiments.adaptive import Interpolant
     from softlube.steady.solution import Solution
     from softlube.theory.master_curve import Curve
 
@@ -238,13 +239,13 @@ def _dense_line(solution: Solution) -> NDArray[np.float64]:
     return np.concatenate([-fine[::-1], fine[1:]])
 
 
-def plot_curves(curves: Mapping[str, Curve], symbol: str, between: tuple[float, float]) -> Figure:
-    """Master curves with their errors, and below them the local exponents d ln q/d ln β.
+def plot_curves(curves: Mapping[str, Curve | Interpolant], symbol: str, between: tuple[float, float]) -> Figure:
+    """Curves with their errors, and below them the local exponents d ln q/d ln β.
 
     Parameters
     ----------
-    curves : mapping of str to Curve
-        By name of the quantity; see `softlube.curve.curve`.
+    curves : mapping of str to Curve or Interpolant
+        By name of the quantity; see `softlube.curve.curve` and `softlube.experiments.curves.quantity_curves`.
     symbol : {"beta", "beta_load"}
         Which β.
     between : tuple of float

@@ -86,6 +86,19 @@ def solve(
     return solve_problem(problem, accuracy=accuracy, method=method, progress=progress)
 
 
+def check_accuracy(accuracy: float) -> None:
+    """Refuse an accuracy that no grid reaches, or that says nothing.
+
+    Raises
+    ------
+    InputError
+        If it is not between `FINEST_ACCURACY` and `LARGEST_ACCURACY`.
+    """
+    if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= LARGEST_ACCURACY):
+        bounds = f"{FINEST_ACCURACY:g} and {LARGEST_ACCURACY:g}"
+        raise InputError(f"accuracy: expected a relative error between {bounds}, got {accuracy!r}")
+
+
 def solve_problem(
     problem: Problem,
     *,
@@ -95,9 +108,7 @@ def solve_problem(
 ) -> Solution:
     """Solve a `Problem` by one of the methods; see `solve`."""
     if method == "newton":
-        if not (np.isfinite(accuracy) and FINEST_ACCURACY <= accuracy <= LARGEST_ACCURACY):
-            bounds = f"{FINEST_ACCURACY:g} and {LARGEST_ACCURACY:g}"
-            raise InputError(f"accuracy: expected a relative error between {bounds}, got {accuracy!r}")
+        check_accuracy(accuracy)
         solution = solve_on_ladder(_regime(problem), accuracy, progress)
         for doubt in solution.warnings:
             warnings.warn(doubt, ValidityWarning, stacklevel=3)

@@ -1,0 +1,66 @@
+"""Friction at any load: one curve on a half-space, one for each of a few loads, polynomials between many."""
+
+import numpy as np
+import pytest
+
+import softlube
+from softlube.experiments.load_curve import load_curve
+from softlube.experiments.load_family import LoadFamily, load_family
+
+ROUGH = 0.02
+
+
+def slab(load):
+    """The problem on a thin bonded slab, under a load [N]."""
+    contact = softlube.Contact(
+        radius=2e-3, young_modulus=3e6, thickness=0.4e-3, viscosity=2.0, speed=1e-3, load=load, cavitation="reynolds"
+    )
+    return contact.problem()
+
+
+def half_space(load):
+    return softlube.Contact(radius=2e-3, young_modulus=3e6, viscosity=2.0, speed=1e-3, load=load).problem()
+
+
+def test_on_a_half_space_all_loads_have_one_curve():
+    family = load_family(half_space, [0.02, 0.1, 0.5], 30, 3000, accuracy=ROUGH)
+    assert len(family.curves) == 1
+    assert family.friction(0.02, 100.0) == family.friction(0.5, 100.0)
+
+
+def test_a_few_loads_have_their_own_curves():
+    family = load_family(slab, [0.1, 0.02, 0.1], 30, 3000, accuracy=ROUGH)
+    assert family.loads.tolist() == [0.02, 0.1]
+    for load in (0.02, 0.1):
+        curve = load_curve(slab(load), 30, 3000, accuracy=ROUGH)
+        assert family.friction(load, 200.0) == pytest.approx(float(curve.friction(200.0)[0]), rel=1e-12)
+    assert family.friction(0.1, 200.0) != pytest.approx(float(family.friction(0.02, 200.0)), rel=1e-3)
+
+
+def test_between_many_loads():
+    """Ten loads share fewer curves, and the friction of one that has none is that of its own."""
+    loads = np.geomspace(0.02, 0.2, 10)
+    family = load_family(slab, loads, 30, 3000, accuracy=ROUGH)
+    assert family.loads.size in (5, 9)
+    assert family.loads[0] <= loads[0]
+    assert family.loads[-1] >= loads[-1]
+    curve = load_curve(slab(loads[4]), 30, 3000, accuracy=ROUGH)
+    beta = np.array([40.0, 300.0, 2000.0])
+    value, error = curve.friction(beta)
+    np.testing.assert_allclose(family.friction(loads[4], beta), value, atol=float(np.max(error)))
+
+
+def test_beyond_its_ends_friction_goes_on_with_its_last_slope():
+    family = load_family(half_space, [0.1], 30, 3000, accuracy=ROUGH)
+    for end, inner in ((30.0, 33.0), (3000.0, 3000 / 1.1)):
+        values = family.friction(0.1, np.array([inner, end, end**2 / inner]))
+        slopes = np.diff(np.log(values)) / np.log(end / inner)
+        assert slopes[1] == pytest.approx(slopes[0], rel=1e-6)
+
+
+def test_weights_are_lagrange_s():
+    family = LoadFamily(np.array([1.0, 2.0, 8.0]), ())
+    np.testing.assert_allclose(family._weights(family.loads), np.eye(3), atol=1e-12)
+    load = np.array([0.5, 1.3, 5.0, 20.0])  # outside: the end
+    x, nodes = np.log(np.clip(load, 1, 8)), np.log(family.loads)
+    np.testing.assert_allclose((nodes**2) @ family._weights(load), x**2)
