@@ -63,7 +63,7 @@ def test_a_layer_with_an_oil_is_the_solved_contact(capsys):
     assert main(["stribeck", *LAYER, *OIL, *SPEEDS, "--json"]) == 0
     captured = capsys.readouterr()
     assert captured.err == ""
-    slowest = json.loads(captured.out)[0]
+    slowest = json.loads(captured.out)["rows"][0]
     contact = softlube.Contact(
         radius="5 mm",
         young_modulus="3 MPa",

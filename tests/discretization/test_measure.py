@@ -141,3 +141,12 @@ def test_a_region_beyond_the_grid_is_refused():
         quantities.friction_within(at, 1000.0)
     with pytest.raises(ValueError, match="r: the solution reaches"):
         at.film_at(1000.0, 0.0)
+
+
+def test_the_friction_within_every_node_s_radius(solution):
+    """The cumulated integral is that over each disc."""
+    couette, poiseuille = quantities.friction_profile(solution.fields)
+    assert couette[0] == poiseuille[0] == 0
+    for node in (4, 17, solution.fields.r.size):
+        within = quantities.friction_parts(solution.fields, float(solution.fields.r[node - 1]))
+        assert (couette[node], poiseuille[node]) == pytest.approx(within, rel=1e-12)

@@ -8,8 +8,9 @@ import pytest
 from scipy import stats
 
 from softlube import fit
-from softlube.experiments.friction_model import make_model, solve_model
+from softlube.experiments.friction_model import make_model
 from softlube.experiments.intervals import Estimate, bootstrap, profile
+from softlube.experiments.optimum import solve_model
 
 KNOWN = {"radius": "2 mm", "young_modulus": "3 MPa"}
 

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from softlube.errors import InputError, SoftlubeError
 from softlube.experiments.fit_checks import FEWEST_SIGNS, HoldOut, check_held_out, order_of_residuals
-from softlube.experiments.friction_model import Model, make_model, normalised_friction, solve_model
+from softlube.experiments.friction_model import Model, make_model, normalised_friction
 from softlube.experiments.intervals import Estimate, bootstrap, profile
 from softlube.experiments.load_curve import FORCES
 from softlube.experiments.measurements import Measurements, read_measurements
+from softlube.experiments.optimum import solve_model
 from softlube.physical.inputs import BODIES, documented
 from softlube.solvers.progress import Listener, Progress
 

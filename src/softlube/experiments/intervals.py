@@ -12,7 +12,8 @@ from scipy import stats
 from scipy.optimize import brentq
 
 from softlube.errors import NotConvergedError
-from softlube.experiments.friction_model import Model, Optimum, optimise, unit_of
+from softlube.experiments.friction_model import Model, unit_of
+from softlube.experiments.optimum import Optimum, optimise
 from softlube.solvers.progress import Listener, Progress
 
 Array = NDArray[np.floating]

@@ -1,0 +1,119 @@
+"""The parameters with which a model of friction fits measurements best, by least squares."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from softlube.errors import NotConvergedError
+from softlube.experiments.friction_model import Model
+from softlube.solvers.progress import Listener
+
+Array = NDArray[np.floating]
+
+ROBUST_ROUNDS = 3
+BEYOND = 3.0
+"""Factor of β by which rows may lie above what could be solved: the curve is all but straight there, in logarithms."""
+ROUNDS = 4
+"""Times that the curve is widened to where the fit has led."""
+
+
+@dataclass(frozen=True)
+class Optimum:
+    """Best parameters of a model.
+
+    Attributes
+    ----------
+    x : ndarray
+        As in `Model.vector`.
+    sum_of_squares : float
+        Sum of the squared residuals, without a loss function.
+    covariance : ndarray
+        Covariance of `x`, from the Jacobian of the residuals.
+    """
+
+    x: Array
+    sum_of_squares: float
+    covariance: Array
+
+
+def optimise(model: Model, start: dict[str, float], *, robust: bool = False) -> Optimum:
+    """Least squares, or with `robust` a loss that grows linearly beyond the scatter (soft L1), so that outliers hardly count.
+
+    Raises
+    ------
+    NotConvergedError
+        If the search does not end.
+    """
+    x = model.vector(start)
+
+    def residuals(x: Array) -> Array:
+        return model.residuals(model.values(x))
+
+    bounds = model.bounds()
+    jacobian = np.empty((len(model.data), x.size))
+    # A robust fit takes the scatter from the residuals around the fit before, in which outliers had little say.
+    for _ in range(ROBUST_ROUNDS if robust else 1):
+        result = least_squares(
+            residuals,
+            x,
+            x_scale=0.1,
+            xtol=1e-10,
+            ftol=1e-12,
+            gtol=1e-12,
+            max_nfev=200,
+            bounds=bounds,
+            loss="soft_l1" if robust else "linear",
+            f_scale=max(_scatter(residuals(x)), 1e-9) if robust else 1.0,
+        )
+        jacobian = np.asarray(result.jac, dtype=float)
+        if result.status <= 0:
+            raise NotConvergedError("the fit did not converge; give a starting value for the viscosity or fit fewer parameters")
+        x = result.x
+    remaining = residuals(x)
+    freedom = max(remaining.size - x.size, 1)
+    variance = _scatter(remaining) ** 2 if robust else float(remaining @ remaining) / freedom
+    covariance = variance * np.linalg.pinv(jacobian.T @ jacobian)
+    return Optimum(x, float(remaining @ remaining), covariance)
+
+
+def _scatter(residuals: Array) -> float:
+    """Standard deviation from the median absolute one: outliers do not count."""
+    return 1.4826 * float(np.median(np.abs(residuals - np.median(residuals))))
+
+
+def solve_model(
+    model: Model,
+    region: str | float,
+    *,
+    robust: bool = False,
+    start: dict[str, float] | None = None,
+    progress: Listener | None = None,
+) -> tuple[Model, Optimum]:
+    """Fit, with load curves that reach over the data at the parameters found.
+
+    Raises
+    ------
+    NotConvergedError
+        If the parameters put a row outside what can be solved.
+    """
+    values = start or model.first_guess()
+    for remaining in reversed(range(ROUNDS)):
+        model = model.cover(values, region, progress)
+        optimum = optimise(model, values, robust=robust)
+        values = model.values(optimum.x)
+        assert model.family is not None
+        low, high, beta = model.family.low, BEYOND * model.family.high, model.beta(values)
+        inside = low <= beta.min() and beta.max() <= (high if not remaining else model.family.high)
+        if inside and (not remaining or model.holds_for(values)):
+            return model, optimum
+        if not remaining:
+            row = int(np.argmin(beta) if beta.min() < low else np.argmax(beta))
+            raise NotConvergedError(
+                f"{model.data.source}, line {model.data.lines[row]}: the fit puts it at beta = {beta[row]:.3g}, and only "
+                f"{low:.3g} to {high:.3g} can be solved: leave such rows out, or check units and parameters"
+            )
+    raise AssertionError("unreachable")
