@@ -82,9 +82,14 @@ def test_a_layer_with_an_oil_is_the_solved_contact(capsys):
     assert "the whole horizontal force on the ball (total), within 2 radii" in out
 
 
-def test_two_elastic_bodies_have_no_layer_here(capsys):
-    assert main(["stribeck", *LAYER, *OIL, "--ball-young-modulus", "64 GPa"]) == 2
-    assert "--ball-young-modulus, --thickness" in capsys.readouterr().err
+def test_two_elastic_bodies_with_a_layer(capsys):
+    """A stiff ball is a rigid one; a soft one makes the contact softer, and its friction less."""
+    frictions = []
+    for ball in ([], ["--ball-young-modulus", "1000 GPa"], ["--ball-young-modulus", "3 MPa"]):
+        assert main(["stribeck", *LAYER, *OIL, *SPEEDS, *ball, "--json"]) == 0
+        frictions.append(json.loads(capsys.readouterr().out)["rows"][0]["friction [N]"])
+    assert frictions[1] == pytest.approx(frictions[0], rel=1e-4)
+    assert abs(frictions[2] / frictions[0] - 1) > 0.02
 
 
 @pytest.mark.slow

@@ -109,3 +109,15 @@ def test_what_cannot_be_solved_is_nan():
 def test_bad_input(options, message):
     with pytest.raises(softlube.InputError, match=message):
         stribeck_curve(RIG, **{"loads": "100 mN"} | options)
+
+
+def test_a_contact_brings_its_motion_and_roughness():
+    bodies = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "load": "100 mN", "roughness": "50 nm"}
+    rolling = softlube.Contact(**bodies, motion=softlube.Rolling("1 mm/s", slide_to_roll=0.5))
+    table = stribeck_curve(rolling, **RANGE, points=3)
+    assert (table["slide_to_roll"] == 0.5).all()
+    assert table["lambda_ratio"].to_numpy() == pytest.approx(table["film_min [m]"].to_numpy() / 50e-9)
+    same = stribeck_curve(RIG, "100 mN", **RANGE, points=3, slide_to_roll=0.5)
+    assert table["friction [N]"].to_numpy() == pytest.approx(same["friction [N]"].to_numpy(), rel=1e-9)
+    with pytest.raises(softlube.InputError, match="load: missing"):
+        stribeck_curve(softlube.Contact(**bodies | {"load": None, "indentation": "1 um"}, speed=1.0), **RANGE)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Group, Parameter
 
@@ -17,7 +17,6 @@ _MOTION = Group("Load and motion", sort_key=2)
 _FRICTION = Group("Which friction", sort_key=3)
 _OUTPUT = Group("Output", sort_key=4)
 Body = Annotated[str | None, Parameter(group=_BODIES, allow_leading_hyphen=True)]
-Ratio = Annotated[float, Parameter(group=_BODIES)]
 Motion = Annotated[str | None, Parameter(group=_MOTION, allow_leading_hyphen=True)]
 
 SHOWN = 13
@@ -27,9 +26,6 @@ SHOWN = 13
 @takes((_BODIES, BODIES))
 def stribeck(
     *,
-    ball_young_modulus: Body = None,
-    ball_poisson_ratio: Ratio = 0.5,
-    substrate_radius: Body = None,
     cavitation: Annotated[str, Parameter(group=_BODIES)] = "reynolds",
     roughness: Body = None,
     load: Annotated[list[str] | None, Parameter(group=_MOTION, negative=(), allow_leading_hyphen=True)] = None,
@@ -53,12 +49,6 @@ def stribeck(
 
     Parameters
     ----------
-    ball_young_modulus
-        Young's modulus of the ball [default: rigid].
-    ball_poisson_ratio
-        Poisson's ratio of the ball.
-    substrate_radius
-        Radius of a substrate that is a ball, too [default: flat].
     cavitation
         "reynolds" (no negative pressure) or "none".
     roughness
@@ -96,7 +86,6 @@ def stribeck(
     from softlube.errors import InputError
     from softlube.experiments.load_curve import described, parse_region
     from softlube.physical.contact import Contact
-    from softlube.physical.rig import Rig
 
     if output is not None:
         from softlube.sweeps.results import check_table
@@ -112,18 +101,7 @@ def stribeck(
         raise InputError(f"against: expected 'hersey' or 'speed', got {against!r}")
     if not load:
         raise InputError("load: missing; expected a force such as '100 mN'")
-    two = {"ball_young_modulus": ball_young_modulus, "substrate_radius": substrate_radius}
-    contact: Contact | Rig
-    if any(value is not None for value in two.values()):
-        other = next((name for name in physical if name not in ("radius", "young_modulus", "viscosity", "poisson_ratio")), None)
-        if other is not None:
-            raise InputError(f"{next(iter(two))}, {other}: two elastic bodies are half-spaces with constant viscosity here")
-        given: dict[str, Any] = {"radius": None, "young_modulus": None, "viscosity": None} | physical | two
-        if "poisson_ratio" in given:
-            given["poisson_ratio"] = float(given["poisson_ratio"])
-        contact = Rig(**given, ball_poisson_ratio=ball_poisson_ratio, cavitation=cavitation)  # type: ignore[arg-type]
-    else:
-        contact = Contact(**physical, load=load[0], speed=1.0, cavitation=cavitation)
+    contact = Contact(**physical, load=load[0], speed=1.0, cavitation=cavitation)
     from softlube.experiments.stribeck import stribeck_curve
 
     with Bar("solving", quiet=as_json) as bar:
@@ -148,9 +126,8 @@ def stribeck(
         from softlube.plots.experiments import plot_stribeck
 
         plot_stribeck(table, plot, against=against)
-    ball = two | {"ball_poisson_ratio": None if ball_young_modulus is None else ball_poisson_ratio}
     motion = {"load": load, "slowest": slowest, "fastest": fastest, "slide_to_roll": slide_to_roll}
-    inputs = understood(physical | ball | {"roughness": roughness} | motion)
+    inputs = understood(physical | {"roughness": roughness} | motion)
     if as_json:
         import json
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from softlube.errors import InputError
 from softlube.experiments.load_curve import ACCURACY, FILMS, LoadCurve, check_friction, load_curves
-from softlube.model.motions import Sliding
+from softlube.model.motions import FIXED_BALL, Sliding
 from softlube.model.quantities import header
 from softlube.physical.contact import Contact
 from softlube.physical.inputs import declared
@@ -34,7 +34,7 @@ def stribeck_curve(
     slowest: object = None,
     fastest: object = None,
     points: int = 61,
-    slide_to_roll: float = 2.0,
+    slide_to_roll: float | None = None,
     roughness: object = None,
     force: str = "total",
     region: str | float = 2.0,
@@ -53,9 +53,9 @@ def stribeck_curve(
         Ends of the range of entrainment speeds; as wide as can be solved where not given.
     points : int
         Speeds, equally far apart in logarithm.
-    slide_to_roll : float
-        Difference of the surface speeds over their mean: 2 for a substrate at rest (the paper's case), 0 for pure rolling, −2
-        for a ball at rest.
+    slide_to_roll : float, optional
+        Difference of the surface speeds over their mean: 2 for a ball that does not turn (the paper's case), 0 for pure rolling;
+        the contact's own if not given.
     roughness : str, float or pint.Quantity, optional
         Root mean square roughness of both surfaces together, for λ; the contact's own if not given.
     force : {"total", "sphere", "couette"}
@@ -84,6 +84,8 @@ def stribeck_curve(
     import pandas as pd
 
     check_friction(force, region)
+    if slide_to_roll is None:
+        slide_to_roll = contact.slide_to_roll if isinstance(contact, Contact) else FIXED_BALL
     if isinstance(slide_to_roll, (bool, str)) or not math.isfinite(slide_to_roll):
         raise InputError(f"slide_to_roll: expected a finite number such as 2, got {slide_to_roll!r}")
     if isinstance(points, bool) or not 2 <= points <= MOST_POINTS:
@@ -152,7 +154,7 @@ def _rows(
         "load [N]": np.full(speeds.size, load),
         "entrainment_speed [m/s]": speeds,
         "slide_to_roll": np.full(speeds.size, slide_to_roll),
-        "hersey": contact.viscosity * contact.radius / load * speeds,
+        "hersey": contact.viscosity * contact.reduced_radius / load * speeds,
         "beta_load": betas,
         "friction [N]": friction,
         "friction_error [N]": error,
