@@ -54,8 +54,8 @@ def stribeck_curve(
     points : int
         Speeds, equally far apart in logarithm.
     slide_to_roll : float, optional
-        Difference of the surface speeds over their mean: 2 for a ball that does not turn (the paper's case), 0 for pure rolling;
-        the contact's own if not given.
+        Difference of the surface speeds over their mean: 2 for a ball that does not turn (the paper's case), 0 for pure
+        rolling; the contact's own if not given.
     roughness : str, float or pint.Quantity, optional
         Root mean square roughness of both surfaces together, for λ; the contact's own if not given.
     force : {"total", "sphere", "couette"}
