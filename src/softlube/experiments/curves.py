@@ -1,12 +1,4 @@
-"""Any quantity of any contact as a function of β: solutions where they are needed, in parallel, kept, and splines between them.
-
->>> from softlube.experiments.curves import quantity_curves
->>> from softlube.model.problem import Problem
->>> curves = quantity_curves(Problem(beta=1), 100, 1000, ["film_center"], accuracy=0.02)
->>> value, error = curves["film_center"](300.0)
->>> bool(abs(value - 0.0331) < error + 1e-4)
-True
-"""
+"""Any quantity of any contact as a function of β: solutions where they are needed, in parallel, kept, and splines between them."""
 
 from __future__ import annotations
 
