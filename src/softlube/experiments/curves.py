@@ -1,4 +1,4 @@
-"""Any quantity of any contact as a function of β: solutions where they are needed, in parallel, kept, and splines between them."""
+"""Any quantity of any contact as a function of β: solutions where they are needed, in parallel, kept; splines between them."""
 
 from __future__ import annotations
 
