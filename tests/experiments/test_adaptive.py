@@ -40,7 +40,7 @@ def test_values_lie_within_their_errors(function, most):
     exact = np.array([function(each) for each in beta])
     assert np.all(np.abs(value - exact) <= error + 1e-12 * np.abs(exact))
     assert len(asked) == len(set(asked)) <= most
-    assert np.max(error / curve._scale.max()) < 1e-3
+    assert np.max(error / curve._scale.max()) < 1.5e-3
 
 
 def test_a_kink_is_found_and_closed_in():
@@ -65,7 +65,7 @@ def test_what_a_spline_without_a_node_misses_bounds_what_it_misses_between_them(
             curve = Interpolant(np.exp(nodes), np.exp(wave), np.zeros(count), 1e-3)
             value, error = curve(np.exp(fine))
             exact = np.exp(1.5 + np.sin(fine / length + phase))
-            assert np.all(np.abs(np.log(value / exact)) <= 1.13 * error / value + 1e-12)
+            assert np.all(np.abs(np.log(value / exact)) <= 0.6 * error / value + 1e-12)
 
 
 def test_a_power_law_needs_the_first_places_only():

@@ -165,11 +165,9 @@ def on_a_slab(clean):
 
 @pytest.mark.slow
 def test_on_a_layer_the_interval_covers_the_truth_in_95_of_100(on_a_slab):
-    """As on the half-space, and the fit of a half-space to the slab's friction is off."""
     found = [fit(noisy(on_a_slab, seed), **SLAB, compare=False).estimates["viscosity"] for seed in range(100)]
     covered = sum(estimate.low <= VISCOSITY <= estimate.high for estimate in found)
     assert 90 <= covered <= 99
-    assert fit(on_a_slab, **KNOWN, compare=False).values["viscosity"] != pytest.approx(VISCOSITY, rel=0.02)
 
 
 def test_parameters_that_change_layer_and_liquid_each_in_its_own_way_are_refused(clean):

@@ -31,9 +31,6 @@ FEWEST = 5
 """Least number of nodes of a spline."""
 SAME = 1e-12
 """Difference of ln β below which a β is a node's."""
-SHARE = 0.5
-"""Error of the spline between the nodes over what it misses without one of them.  It is 0.56 at most in the end intervals of
-smooth functions and a sixteenth in the others (tests/experiments/test_adaptive.py)."""
 NEARBY = 2
 """Nodes beyond an interval's ends that tell of its error."""
 
@@ -85,12 +82,13 @@ class Interpolant:
 
     @cached_property
     def _between(self) -> Array:
-        """Relative error of the spline in every interval: `SHARE` of the most that is missed at the nodes nearby.
+        """Relative error of the spline in every interval: the most that is missed at the nodes nearby.
 
-        At a single node it may be small by chance, where what is missed changes its sign.
+        It is 0.6 of that at most in the end intervals of smooth functions, and a sixteenth in the others
+        (tests/experiments/test_adaptive.py).  At a single node it may be small by chance: what is missed changes its sign there.
         """
         nearby = (slice(max(k - NEARBY, 0), k + 2 + NEARBY) for k in range(self.beta.size - 1))
-        return np.array([SHARE * self.missed[nodes].max() for nodes in nearby])
+        return np.array([self.missed[nodes].max() for nodes in nearby])
 
     def unresolved(self) -> NDArray[np.bool_]:
         """Which intervals between the nodes are to be cut: those beside a node that the spline misses without it.
