@@ -85,7 +85,7 @@ class Interpolant:
         """Relative error of the spline in every interval: the most that is missed at the nodes nearby.
 
         It is 0.6 of that at most in the end intervals of smooth functions, and a sixteenth in the others
-        (tests/experiments/test_adaptive.py).  At a single node it may be small by chance: what is missed changes its sign there.
+        (tests/experiments/test_adaptive.py).  At one node alone it may be small by chance, where what is missed changes sign.
         """
         nearby = (slice(max(k - NEARBY, 0), k + 2 + NEARBY) for k in range(self.beta.size - 1))
         return np.array([self.missed[nodes].max() for nodes in nearby])
