@@ -83,7 +83,7 @@ def test_stribeck_and_fit(capsys, tmp_path):
     assert main(["stribeck", *README, *curve]) == 0
     line = capsys.readouterr().out.splitlines()[0]
     assert line == (
-        "Input: radius 2 mm, young_modulus 3 MPa, viscosity 2 Pa s, poisson_ratio 0.5, load 20 mN and 50 mN, slowest 1 mm/s, "
+        "Input: radius 2 mm, young_modulus 3 MPa, viscosity 2 Pa s, load 20 mN and 50 mN, slowest 1 mm/s, "
         "fastest 2 mm/s, slide_to_roll 2."
     )
     data = tmp_path / "data.csv"

@@ -122,8 +122,8 @@ def test_a_plan_of_squeeze_films_has_it(syrup):
 
 
 def test_commands_without_liquids_refuse_it_with_the_reason(syrup, capsys):
-    assert main(["curve", "--stiffening", "1 MPa^-1"]) == 2
-    assert "--stiffening: softlube curve does not take it, the master curve is a half-space's" in capsys.readouterr().err
+    assert main(["reproduce", "--stiffening", "1 MPa^-1"]) == 2
+    assert "--stiffening: softlube reproduce does not take it, the paper's figures are" in capsys.readouterr().err
 
 
 def test_where_it_is_unknown_its_file_is_refused_with_a_message(syrup, tmp_path):

@@ -58,9 +58,9 @@ MOVED = {"initial_height": "60 um", "duration": "20 ms", "accuracy": 0.1}
         (["solve", *options(SLIDING), "--method", "cartesian"], "the paper's methods know the half-space"),
         (["solve", "--beta", "100"], "give a dimensionless or a physical contact"),
         (["flow", "--beta", "100", "--plot", "flow.png"], "give one contact"),
-        (["stribeck", "--load", "100 mN"], "softlube stribeck does not take it"),
-        (["fit", "data.csv"], "softlube fit does not take it"),
-        (["curve", "film_min"], "softlube curve does not take it"),
+        (["stribeck", *options({"load": "100 mN", "slowest": "4 mm/s", "fastest": "5 mm/s", "points": 2})], None),
+        (["fit", "data.csv"], "data.csv"),  # which is not there
+        (["curve", "film_min"], "--radius: missing"),
         (["reproduce"], "softlube reproduce does not take it"),
         (["sweep", "plan.toml"], "stands in the plan"),
         (["solve", *options(SLIDING), "--accuracy", "0.1", "--json"], None),
