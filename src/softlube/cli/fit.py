@@ -49,7 +49,7 @@ def fit(
     data
         CSV file.
     slide_to_roll
-        Where the table has no such column; 2 for a substrate at rest.
+        Where the table has no such column; 2 for a ball that does not turn.
     free
         What to fit: viscosity (the default), modulus, offset, or another input such as thickness or pressure_viscosity, whose
         value is then where the search starts; may be given several times.

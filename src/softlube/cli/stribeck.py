@@ -60,7 +60,7 @@ def stribeck(
     fastest
         Greatest entrainment speed.
     slide_to_roll
-        Difference of the surface speeds over their mean: 2 for a substrate at rest, 0 for pure rolling.
+        Speed of the substrate's surface less the ball's, over their mean: 2 for a ball that does not turn, 0 for pure rolling.
     points
         Number of speeds.
     force

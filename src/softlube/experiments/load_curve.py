@@ -8,7 +8,7 @@ For the half-space with constant viscosity the functions come from the master cu
 has them.  For any other problem that can be solved they are computed: solutions placed where they are needed
 in parallel, and kept (`softlube.experiments.curves`).
 
-Friction is the sum of a Couette part C = ∫ η(v₁ − v₂)/u dA and a Poiseuille part P = ∫ (u/2) ∂p/∂x dA, Eq. (27a).  P does not
+Friction is the sum of a Couette part C = ∫ η(v₂ − v₁)/u dA and a Poiseuille part P = ∫ (u/2) ∂p/∂x dA, Eq. (27a).  P does not
 depend on which surface slides and changes sign from one surface to the other, Eq. (25).
 """
 
