@@ -16,7 +16,7 @@ def test_half_space_is_hertz():
     contact = dry_contact(HalfSpaceKernel(), 1.5)
     assert contact.indentation == pytest.approx(1.5**2, rel=1e-14)
     assert contact.load == pytest.approx(HERTZ_LOAD * 1.5**3, rel=1e-13)
-    assert contact.edge == 1.0
+    assert contact.edge_rise == 1.0
     r = np.array([0.0, 0.7, 1.4, 1.6])
     assert contact.pressure(r) == pytest.approx(hertz_pressure(r, 1.5), rel=1e-6, abs=1e-8)
     assert contact.like_hertz(10.0) == pytest.approx(10.0 * 1.5**4)

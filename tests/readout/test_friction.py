@@ -31,7 +31,7 @@ def test_the_half_space_does_not_drag_itself(solution, solutions):
     for case in (solution, *solutions):
         whole = friction.split(case, float(case.fields.r[-1]))
         assert abs(whole.substrate_pressure) < 3e-5 * whole.drag
-        assert whole.drag == pytest.approx(whole.substrate + whole.edge, rel=1e-4)
+        assert whole.drag == pytest.approx(whole.substrate + whole.edge_force, rel=1e-4)
         # what balances is no matter of smallness: the contact alone does drag itself
         assert abs(friction.split(case, 1.0).substrate_pressure) > 0.03 * whole.drag
 
@@ -60,7 +60,7 @@ def test_forces_on_the_ball_balance_whatever_the_bodies_and_the_liquid(rig):
     whole = friction.split(solution, float(solution.fields.r[-1]))
     assert abs(whole.imbalance) < 1e-6
     assert abs(whole.substrate_pressure) < 1e-4 * whole.drag
-    assert whole.drag == pytest.approx(whole.substrate + whole.edge, rel=1e-4)
+    assert whole.drag == pytest.approx(whole.substrate + whole.edge_force, rel=1e-4)
     # each part is much larger than what is left
     assert abs(whole.sphere_pressure) > 0.01 * whole.drag
 
@@ -69,7 +69,7 @@ def test_edge_force_of_the_far_field(solutions):
     """Far out p = (4/5β) cos θ/r³ and u = r²/2 leave 6∮pu cos θ ds = 2.4π/β, without decay."""
     full = solutions[1]
     part = friction.split(full, 15.0)
-    assert part.edge == pytest.approx(2.4 * np.pi / 300, rel=0.03)
+    assert part.edge_force == pytest.approx(2.4 * np.pi / 300, rel=0.03)
 
 
 def test_couette_part_is_that_of_a_flat_film_in_the_hertz_limit(solutions):

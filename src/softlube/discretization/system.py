@@ -155,7 +155,7 @@ class ContactSystem:
             dry = dry_contact(self.substrate)
             beta = max(dry.like_hertz(self.beta), 1.0)
             width = min(0.5, 1.5 * beta**-0.4)  # of the boundary layer
-            lift = wanted = dry.edge * beta**-0.6
+            lift = wanted = dry.edge_rise * beta**-0.6
             outside = self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
             pressure = outside
             for _ in range(LIFTS):

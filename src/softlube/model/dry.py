@@ -44,8 +44,8 @@ class DryContact:
         Depth δ of the sphere's lowest point below the undeformed surface, in units of height.
     load : float
         ∫p dA.
-    edge : float
-        Pressure close inside the edge over that of the Hertz contact of the same radius, p = edge (2/π²) √(2a(a − r)).
+    edge_rise : float
+        Pressure close inside the edge over that of the Hertz contact of the same radius, p = edge_rise (2/π²) √(2a(a − r)).
     density : CubicSpline
         φ(s) for 0 ≤ s ≤ a.
     """
@@ -53,16 +53,16 @@ class DryContact:
     radius: float
     indentation: float
     load: float
-    edge: float
+    edge_rise: float
     density: CubicSpline
 
     def like_hertz(self, beta: float) -> float:
-        """β of the lubricated half-space that has the same layers at its contact edge, relative to the contact radius.
+        """β of the lubricated half-space with boundary layers of equal width at its contact edge, relative to the contact radius.
 
-        Close to the edge every substrate acts like the half-space, and p = A√s.  With u ~ Aℓ^(3/2) the layer is
+        Close to the edge every substrate acts like the half-space, and p = A√s.  With u ~ Aℓ^(3/2) the boundary layer is
         ℓ ~ (βA³)^(−2/5) wide.
         """
-        return beta * self.radius**4 * self.edge**3
+        return beta * self.radius**4 * self.edge_rise**3
 
     def pressure(self, r: ArrayLike) -> Array:
         """Pressure at a distance r from the axis, −∫_r^a φ′(s)/√(s² − r²) ds."""

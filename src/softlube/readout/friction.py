@@ -42,7 +42,7 @@ class FrictionSplit:
         6∫p̄ ∂h̄/∂x dA, the pressure's horizontal component on the sphere, which (27a) leaves out.
     substrate_pressure : float
         6∫p̄ ∂w̄/∂x dA, the same on the substrate.
-    edge : float
+    edge_force : float
         6∮p̄ ū cos θ ds, the pressure on the edge of the film at the cut-off.
     """
 
@@ -51,7 +51,7 @@ class FrictionSplit:
     poiseuille: float
     sphere_pressure: float
     substrate_pressure: float
-    edge: float
+    edge_force: float
 
     @property
     def sphere(self) -> float:
@@ -71,7 +71,7 @@ class FrictionSplit:
     @property
     def imbalance(self) -> float:
         """What is left of the horizontal balance of the film, over the drag: 0 but for quadrature."""
-        return (self.drag - self.substrate - self.substrate_pressure - self.edge) / self.drag
+        return (self.drag - self.substrate - self.substrate_pressure - self.edge_force) / self.drag
 
 
 def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
@@ -125,7 +125,7 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
         poiseuille=integrate(fields, poiseuille, cutoff),
         sphere_pressure=integrate(fields, on_sphere, cutoff),
         substrate_pressure=integrate(fields, on_substrate, cutoff),
-        edge=edge,
+        edge_force=edge,
     )
 
 

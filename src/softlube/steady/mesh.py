@@ -62,7 +62,7 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     """
     beta = 1.0 if regime.over_gap else max(regime.beta, 1.0)
     octave = np.round(np.log2(beta**-0.4) - 0.2)  # a little early: too fine costs less than too coarse
-    steep, rise = regime.steepness, regime.dry.edge
+    steep, rise = regime.steepness, regime.dry.edge_rise
     edge = 1 + float(min(STEEP_SHIFT * steep * 2.0**octave, 0.25))
     grid = PolarGrid(
         n_r=8,

@@ -97,9 +97,9 @@ class Regime:
             beta=beta,
             unit=unit,
             over_gap=over_gap,
-            steepness=narrow * (1 - 1 / dry.edge),
+            steepness=narrow * (1 - 1 / dry.edge_rise),
             thickening=float(np.log(problem.liquid.viscosity(highest)[0])),
-            front=dry.edge > FRONT_EDGE,
+            front=dry.edge_rise > FRONT_EDGE,
         )
 
     @property
@@ -136,6 +136,6 @@ class Regime:
 def _height_under_load(problem: Problem, dry: DryContact, beta: float) -> float:
     """See `Regime.first_height`."""
     if beta > TOUCHING / 2:
-        return 2.6 * dry.radius**2 * dry.edge * beta**-0.6 - dry.indentation
+        return 2.6 * dry.radius**2 * dry.edge_rise * beta**-0.6 - dry.indentation
     own = problem.parameter
     return 5.5 / own**2 if problem.cavitation == "reynolds" else 0.65 / own**0.8

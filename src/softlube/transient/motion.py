@@ -221,7 +221,7 @@ class Motion:
             edge = max(edge, dry.radius)
             # The time in units of the load's own, for which a half-space's edge is at 1: near its edge every contact is like
             # Hertz's of the same p/√(a − r).
-            narrowing = NECK * (self.duration * (edge * dry.edge) ** 3) ** NECK_EXPONENT
+            narrowing = NECK * (self.duration * (edge * dry.edge_rise) ** 3) ** NECK_EXPONENT
             width = MOVING_EDGE_WIDTH if self.control == "height" else np.clip(narrowing, LEAST_EDGE_WIDTH, EDGE_WIDTH)
         reach = REACH * max(
             1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge

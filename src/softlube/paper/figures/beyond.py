@@ -94,13 +94,13 @@ def parts(solutions: Solutions) -> Drawn:
     other.legend(frameon=False, loc="upper right")
     letters(axes[0])
     edge = [friction.split(s, float(s.fields.r[-1])) for s in ours]
-    horizontal = max(abs(part.drag - part.substrate - part.edge) / part.drag for part in edge)
+    horizontal = max(abs(part.drag - part.substrate - part.edge_force) / part.drag for part in edge)
     vertical = max(friction.vertical_balance(s).imbalance for s in ours)
     at = {b: whole[WIDE.index(b)] for b in (100.0, 1000.0, 1e4)}
     table = {
         "beta": beta,
         **{f"{n} over r <= 2": [getattr(p, n) for p in whole] for n in curves},
-        "horizontal imbalance, whole plane": [(p.drag - p.substrate - p.edge) / p.drag for p in edge],
+        "horizontal imbalance, whole plane": [(p.drag - p.substrate - p.edge_force) / p.drag for p in edge],
         "elastic self-force over drag": [p.substrate_pressure / p.drag for p in edge],
         "vertical imbalance": [friction.vertical_balance(s).imbalance for s in ours],
     }
