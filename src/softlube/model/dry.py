@@ -57,7 +57,7 @@ class DryContact:
     density: CubicSpline
 
     def like_hertz(self, beta: float) -> float:
-        """β of the lubricated half-space with boundary layers of equal width at its contact edge, relative to the contact radius.
+        """β of the lubricated half-space whose boundary layers at the contact edge are as wide over the contact radius.
 
         Close to the edge every substrate acts like the half-space, and p = A√s.  With u ~ Aℓ^(3/2) the boundary layer is
         ℓ ~ (βA³)^(−2/5) wide.
