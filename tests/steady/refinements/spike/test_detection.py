@@ -267,7 +267,7 @@ def test_spikes_of_the_textbook_cases(m, law, height, place):
 @pytest.mark.slow
 def test_the_line_contact_has_the_same_story():
     """By other code, on ever finer cells: at αp₀ = 7 the spike grows without end, or to 1.335 p₀ where p₀ = 0.494 GPa."""
-    find_spike = runpy.run_path(str(Path(__file__).parents[3] / "benchmarks" / "spike_line.py"))["find_spike"]
+    find_spike = runpy.run_path(str(Path(__file__).parents[4] / "benchmarks" / "spike_line.py"))["find_spike"]
     with np.errstate(all="ignore"):
         for hertz in (0.0, 0.494):
             coarse, middle, fine = (find_spike(7.0, -0.5, width, hertz=hertz).height for width in (0.03, 0.01, 0.003))
