@@ -224,6 +224,7 @@ def _profile(ax: Axes, solution: Solution, direction: str) -> None:
     if "lambda_ratio" in solution.dimensional:
         mixed = center / solution.dimensional["film_center"] * FULL_FILM
         ax.axhspan(0, mixed * solution.dimensional["film_min"] / solution.dimensional["lambda_ratio"], color="0.85", lw=0)
+        ax.set_title(f"grey: below {FULL_FILM:g} × roughness", loc="right", fontsize=7)
     other.set_ylabel(pressure_label, color=PRESSURE_COLOUR)
     other.tick_params(axis="y", colors=PRESSURE_COLOUR)
     if solution.problem.cavitation == "reynolds":

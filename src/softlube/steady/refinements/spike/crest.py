@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 
 from softlube.discretization.fields import Fields
 from softlube.discretization.measure import FRICTIONS, boundary_layer, friction_parts, frictions
-from softlube.model.quantities import QUANTITIES, Quantity
+from softlube.model.quantities import Quantity
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.error_estimate import LARGEST_ERROR, yardstick
 from softlube.steady.refinements.spike.closeup import NEAR_RIDGE, WIDTHS, CloseUp, close_ups
 from softlube.steady.refinements.spike.detection import (
     SHARPEST,
-    SPIKE_QUANTITIES,
     ridge_error,
     tracked,
     wants_close_up,
@@ -183,7 +182,7 @@ def spike_quantities(
     before = {**quantities, **known}
     closer = resolve_spike(regime, grids[-1], progress)
     if "pressure_max" in closer:
-        closer["pressure_max"] = _at_least(quantities["pressure_center"], closer["pressure_max"])
+        closer["pressure_max"] = at_least(quantities["pressure_center"], closer["pressure_max"])
     return known | {name: each for name, each in closer.items() if name not in before or not before[name].error <= each.error}
 
 
@@ -216,7 +215,7 @@ def resolve_spike(regime: Regime, fields: Fields, progress: Listener | None = No
     on_grid = frictions(lambda cutoff: friction_parts(fields, cutoff * regime.edge_radius))
     for name, value in on_grid.items():
         found[name] = Quantity(found[name], max(found[name].error, OF_WHAT_GRIDS_MISS * abs(found[name] - value)))
-    found["boundary_layer"] = _layer(fields, found["pressure_max"], regime.edge_radius)
+    found["boundary_layer"] = layer_beside_spike(fields, found["pressure_max"], regime.edge_radius)
     return {name: each for name, each in found.items() if each.error <= LARGEST_ERROR * yardstick(name, found)}
 
 
@@ -226,12 +225,12 @@ def _settled(said: Sequence[Reading]) -> Quantity:
     return Quantity(value[-1], max(change[-1], change[-2] / 2, said[-1].doubt))
 
 
-def _at_least(center: float, largest: Quantity) -> Quantity:
+def at_least(center: float, largest: Quantity) -> Quantity:
     """The largest pressure; a mesh about the spike knows it at its nodes only, and the contact's centre is not a node."""
     return Quantity(max(largest, center), largest.error)
 
 
-def _layer(fields: Fields, pressure_max: Quantity, edge: float) -> Quantity:
+def layer_beside_spike(fields: Fields, pressure_max: Quantity, edge: float) -> Quantity:
     """The inlet's boundary layer, which depends on the spike only through the maximum pressure, of which it takes 5 %."""
     value = boundary_layer(fields, pressure_max, edge)
     off = [
@@ -239,38 +238,3 @@ def _layer(fields: Fields, pressure_max: Quantity, edge: float) -> Quantity:
     ]
     least = LEAST_ERROR["boundary_layer"] * yardstick("boundary_layer", {"boundary_layer": value})
     return Quantity(value, max(*off, least))
-
-
-def in_other_unit(
-    own: Mapping[str, Quantity],
-    on_grid: Mapping[str, float],
-    fields: Fields,
-    values: Mapping[str, float],
-    unit: float,
-    edge: float,
-) -> dict[str, Quantity]:
-    """The quantities that close-ups gave, normalised with another unit of height.
-
-    Parameters
-    ----------
-    own : mapping of str to Quantity
-        All quantities of the solution.
-    on_grid : mapping of str to float
-        Quantities on the finest grid, in the unit of `own`.
-    fields : Fields
-        Solution on the finest grid, in the other unit.
-    values : mapping of str to float
-        Its quantities, in the other unit.
-    unit : float
-        The other unit over the solution's own.
-    edge : float
-        Radius of the dry contact in the other unit, see `softlube.steady.regime.Regime.edge_radius`.
-    """
-    result = {name: QUANTITIES[name].unit.rescaled(own[name], unit) for name in SPIKE_QUANTITIES if name in own}
-    result["pressure_max"] = _at_least(values["pressure_center"], result["pressure_max"])
-    for name in FRICTIONS:
-        # The disc is another one, but both hold the spike, and so the part that the grid has missed.
-        missed = QUANTITIES[name].unit.rescaled(Quantity(own[name] - on_grid[name], own[name].error), unit)
-        result[name] = Quantity(values[name] + missed, missed.error)
-    result["boundary_layer"] = _layer(fields, result["pressure_max"], edge)
-    return result

@@ -10,14 +10,15 @@ from typing import ClassVar
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.measure import FRICTIONS
-from softlube.model.quantities import Quantity
+from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.solvers.progress import Listener
 from softlube.steady.error_estimate import SMOOTH, Convergence
 from softlube.steady.level import Solved
 from softlube.steady.refinements.base import Refinement
-from softlube.steady.refinements.spike.crest import in_other_unit, spike_quantities
+from softlube.steady.refinements.spike.crest import at_least, layer_beside_spike, spike_quantities
 from softlube.steady.refinements.spike.detection import (
     LEFT_OF_FIRST_ORDER,
+    SPIKE_QUANTITIES,
     doubts,
     fall_from_top,
     is_compressible,
@@ -90,7 +91,14 @@ class Spike(Refinement):
         edge: float,
     ) -> Mapping[str, Quantity]:
         """What meshes about the spike gave, in the other unit."""
-        return in_other_unit(own, on_grid, fields, values, unit, edge)
+        result = {name: QUANTITIES[name].unit.rescaled(own[name], unit) for name in SPIKE_QUANTITIES if name in own}
+        result["pressure_max"] = at_least(values["pressure_center"], result["pressure_max"])
+        for name in FRICTIONS:
+            # The disc is another one, but both hold the spike, and so the part that the grid has missed.
+            missed = QUANTITIES[name].unit.rescaled(Quantity(own[name] - on_grid[name], own[name].error), unit)
+            result[name] = Quantity(values[name] + missed, missed.error)
+        result["boundary_layer"] = layer_beside_spike(fields, result["pressure_max"], edge)
+        return result
 
     def doubts(
         self, finest: Solved, quantities: Mapping[str, Quantity], errors: Mapping[str, float], accuracy: float
