@@ -2,6 +2,8 @@
 
 import os
 import signal
+import time
+from functools import partial
 
 import pytest
 
@@ -21,7 +23,14 @@ def test_every_lane_walks_along_beta_and_helps_the_slowest():
     assert stretches.take("a") is None
 
 
-def process_of(task):
+def process_of(task, folder):
+    """The process of a task, which ends when the other process has come as far: 1 with 3, and 2 with 4."""
+    (folder / str(task)).touch()
+    partner = folder / str({1: 3, 3: 1, 2: 4, 4: 2}[task])
+    deadline = time.monotonic() + 60
+    while not partner.exists():
+        assert time.monotonic() < deadline, "the two tasks are not done at the same time"
+        time.sleep(0.01)
     return os.getpid()
 
 
@@ -31,11 +40,11 @@ def deadly(task):
     return task
 
 
-def test_neighbours_share_a_process():
+def test_neighbours_share_a_process(tmp_path):
     processes = Processes(2)
-    found = dict(processes.along(process_of, [1, 2, 3, 4]))
+    found = dict(processes.along(partial(process_of, folder=tmp_path), [1, 2, 3, 4]))
     processes.close(wait=True)
-    assert found[1] == found[2] != found[4]
+    assert found[1] == found[2] != found[3] == found[4]
     assert set(found) == {1, 2, 3, 4}
 
 
