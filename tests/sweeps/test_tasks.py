@@ -6,7 +6,7 @@ import pickle
 import pytest
 
 from softlube.sweeps.plan import make_plan
-from softlube.sweeps.tasks import Outcome, contents
+from softlube.sweeps.tasks import Outcome
 from softlube.sweeps.work import ROOMS
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "load": "100 mN"}
@@ -21,10 +21,6 @@ PLANS = {
 def test_an_outcome_with_a_reason_has_failed():
     assert Outcome("too light").failed
     assert not Outcome(quantities={"film_min": (0.1, 1e-3)}).failed
-
-
-def test_contents_of_what_is_written():
-    assert contents(lambda path: path.write_bytes(b"fields")) == b"fields"
 
 
 @pytest.mark.parametrize("kind", PLANS)

@@ -68,11 +68,13 @@ def curve(
     **physical
         Inputs of the experiment, as they are declared.
     """
+    import io
+
     import numpy as np
 
     from softlube.cli.echo import echo, understood
     from softlube.errors import InputError
-    from softlube.files.writing import check_destination, whole_file
+    from softlube.files.writing import check_destination, write_whole
     from softlube.model.problem import Problem
     from softlube.theory import master_curve as master
 
@@ -115,13 +117,14 @@ def curve(
     if csv is not None:
         columns = [place, *(part for pair in values.values() for part in pair)]
         header = ",".join([symbol, *(name + ending for name in names for ending in ("", "_error"))])
-        with whole_file(csv) as temporary:
-            np.savetxt(temporary, np.column_stack(columns), fmt="%.9g", delimiter=",", header=header, comments="")
+        stream = io.BytesIO()
+        np.savetxt(stream, np.column_stack(columns), fmt="%.9g", delimiter=",", header=header, comments="")
+        write_whole({csv: stream.getvalue()})
     if plot is not None:
-        from softlube.plots.solution import plot_curves
+        from softlube.plots.solution import image, plot_curves
 
-        with whole_file(plot) as temporary:
-            plot_curves(curves, symbol, (place[0], place[-1])).savefig(temporary, dpi=200)  # type: ignore[arg-type]
+        picture = plot_curves(curves, symbol, (place[0], place[-1]))  # type: ignore[arg-type]
+        write_whole({plot: image(picture, plot, dpi=200)})
     if one or physical:
         print(echo(understood({symbol: float(place[0])} if one else dict(physical))))
     _print(place, values, symbol, one, source)

@@ -83,7 +83,7 @@ def fit(
     from softlube.cli.echo import echo, understood
     from softlube.cli.progress import Bar
     from softlube.errors import InputError
-    from softlube.files.writing import check_destination, whole_file
+    from softlube.files.writing import check_destination, write_whole
 
     if output is not None:
         check_destination("output", output)
@@ -124,8 +124,7 @@ def fit(
     inputs = understood(physical | {"slide_to_roll": slide_to_roll})
     text = json.dumps({"inputs": inputs} | found.to_dict(), allow_nan=False)
     if output is not None:
-        with whole_file(output) as temporary:
-            temporary.write_text(text + "\n", encoding="utf-8")
+        write_whole({output: f"{text}\n".encode()})
     if as_json:
         print(text, flush=True)
     else:

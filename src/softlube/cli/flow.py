@@ -46,9 +46,9 @@ def flow(
 
     from softlube.cli.progress import status_line
     from softlube.errors import InputError
-    from softlube.files.writing import check_destination, whole_file
+    from softlube.files.writing import check_destination, write_whole
     from softlube.plots.flow import picture
-    from softlube.plots.solution import check_format
+    from softlube.plots.solution import check_format, image
     from softlube.readout.flow import flux, net_flux, shear_stress
 
     check_format("plot", plot)
@@ -59,8 +59,7 @@ def flow(
         solved = one_contact(physical, solution=solution, beta=beta, cavitation=cavitation, progress=show)
         show("drawing")
         figure, _ = picture(solved, level=level)
-        with whole_file(plot) as temporary:
-            figure.savefig(temporary, dpi=300)
+        write_whole({plot: image(figure, plot)})
 
     angle = np.linspace(0, np.pi / 2, 181)
     inflow = -2 * float(np.trapezoid(flux(solved, 1.0, angle)[0], angle))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -95,8 +96,6 @@ def solve(
 
     if accuracy >= 1e-3:
         # The matrices of the coarser grids are too small to share out: threads would spend their time waiting for each other.
-        import os
-
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
     import time
@@ -172,17 +171,22 @@ def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: s
 
 def _write_files(solution: Solution, output: str | None, plot: str | None) -> None:
     """Both files, or none."""
-    from contextlib import ExitStack
+    content: dict[str | os.PathLike[str], bytes] = {}
+    if output is not None:
+        from softlube.files.netcdf import contents
 
-    from softlube.files.writing import whole_file
+        content[output] = contents(solution)
+    if plot is not None:
+        from matplotlib import rc_context
 
-    with ExitStack() as stack:
-        temporary_output = stack.enter_context(whole_file(output)) if output is not None else None
-        temporary_plot = stack.enter_context(whole_file(plot)) if plot is not None else None
-        if temporary_output is not None:
-            solution.save(temporary_output)
-        if temporary_plot is not None:
-            solution.plot(temporary_plot)
+        from softlube.plots.solution import STYLE, image
+
+        with rc_context(STYLE):  # ticks are made when they are drawn
+            content[plot] = image(solution.plot(), plot)
+    if content:
+        from softlube.files.writing import write_whole
+
+        write_whole(content)
 
 
 # --- what is printed --------------------------------------------------------------------------------------------------

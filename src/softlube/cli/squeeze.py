@@ -58,7 +58,7 @@ def squeeze(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from softlube.cli.progress import status_line
     from softlube.errors import InputError
-    from softlube.files.writing import check_destination
+    from softlube.files.writing import check_destination, write_whole
 
     for option, path in (("output", output), ("plot", plot)):
         if path is not None:
@@ -71,6 +71,7 @@ def squeeze(
             raise InputError("output, plot: expected two different files")
     from softlube.experiments.approach import slide
     from softlube.experiments.approach import squeeze as film
+    from softlube.files.transient import contents
     from softlube.physical.squeeze import WRITTEN_WAYS, check_one_way
     from softlube.transient.squeeze.result import Squeeze
 
@@ -85,12 +86,19 @@ def squeeze(
     began = time.perf_counter()
     with status_line("starting", quiet=as_json) as show:
         result = follow(**options, progress=show)
+        content: dict[str | os.PathLike[str], bytes] = {}
         if output is not None:
             show("writing")
-            result.save(output)
+            content[output] = contents(result)
         if plot is not None:
+            from matplotlib import rc_context
+
+            from softlube.plots.solution import STYLE, image
+
             show("drawing")
-            result.plot(plot)
+            with rc_context(STYLE):  # ticks are made when they are drawn
+                content[plot] = image(result.plot(), plot)
+        write_whole(content)
     inputs = understood(physical)
     if as_json:
         import json

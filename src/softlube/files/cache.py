@@ -15,7 +15,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from softlube.files.writing import whole_file
+from softlube.errors import InputError
+from softlube.files.writing import write_whole
 
 VARIABLE = "SOFTLUBE_CACHE"
 """Environment variable that names another folder."""
@@ -84,9 +85,8 @@ class Cache:
         """Keep an entry; without effect where the folder cannot be written to."""
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            with whole_file(self._path(key)) as temporary:
-                temporary.write_text(json.dumps(content), encoding="utf-8")
-        except OSError:
+            write_whole({self._path(key): json.dumps(content).encode()})
+        except (InputError, OSError):
             return
 
     def _files(self) -> list[tuple[Path, os.stat_result]]:

@@ -15,7 +15,7 @@ import xarray as xr
 from softlube.discretization.fields import Chart, Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError
-from softlube.files.writing import check_destination, whole_file
+from softlube.files.writing import check_destination, netcdf, write_whole
 from softlube.model.problem import Problem
 from softlube.model.quantities import FIELDS, QUANTITIES, Quantity
 from softlube.physical.contact import Contact
@@ -104,16 +104,20 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     return xr.Dataset(data, coords=coordinates, attrs=attributes)
 
 
+def contents(solution: Solution) -> bytes:
+    """What `save` writes."""
+    return netcdf(to_dataset(solution))
+
+
 def save(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write a solution as NetCDF 4.
 
     Raises
     ------
-    InputError
-        If the folder does not exist.
+    InputError, OSError
+        See `softlube.files.writing`.
     """
-    with whole_file(check_destination("output", path)) as temporary:
-        to_dataset(solution).to_netcdf(temporary, engine="h5netcdf")
+    write_whole({check_destination("output", path): contents(solution)})
 
 
 def load(path: str | os.PathLike[str]) -> Solution:

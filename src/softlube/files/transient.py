@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import xarray as xr
 
-from softlube.files.writing import check_destination, whole_file
+from softlube.files.writing import check_destination, netcdf, write_whole
 from softlube.model import liquids as liquids
 from softlube.model import substrates
 from softlube.model.quantities import QUANTITIES
@@ -89,13 +89,17 @@ def in_units(data: xr.Dataset, setup: PhysicalInput | None, sliding: Mapping[str
     return data.assign_attrs(warnings=json.dumps(doubts), inputs_SI=json.dumps(setup.inputs() | dict(sliding)))
 
 
+def contents(result: Transient) -> bytes:
+    """What `save` writes."""
+    return netcdf(to_dataset(result))
+
+
 def save(result: Transient, path: str | os.PathLike[str]) -> None:
     """Write a film in time as NetCDF 4.
 
     Raises
     ------
-    InputError
-        If the folder does not exist.
+    InputError, OSError
+        See `softlube.files.writing`.
     """
-    with whole_file(check_destination("output", path)) as temporary:
-        to_dataset(result).to_netcdf(temporary, engine="h5netcdf")
+    write_whole({check_destination("output", path): contents(result)})

@@ -108,7 +108,7 @@ def write_report(path: Path, sections: Sequence[Section], laws: Sequence[Law], c
 
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
-    from softlube.files.writing import whole_file
+    from softlube.files.writing import write_whole
 
     environment = Environment(
         loader=PackageLoader("softlube.paper"), autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
@@ -124,8 +124,7 @@ def write_report(path: Path, sections: Sequence[Section], laws: Sequence[Law], c
         verdicts=VERDICTS,
         counts=counts,
     )
-    with whole_file(path) as temporary:
-        temporary.write_text(page, encoding="utf-8")
+    write_whole({path: page.encode()})
 
 
 VERDICTS = {"agrees": "agrees", "disagrees": "differs", "more": "not in the paper"}

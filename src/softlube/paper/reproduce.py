@@ -86,15 +86,14 @@ def _solve_and_save(case: Case, folder: Path) -> Solution:
 
 def _draw_and_save(key: str, solutions: Mapping[Case, Solution], folder: Path, data: Path | None) -> Section:
     """Draw one figure and write its pictures and tables; called in a process of its own."""
-    from softlube.files.writing import whole_file
+    from softlube.files.writing import write_whole
+    from softlube.plots.solution import image
 
     spec = FIGURES[key]
     drawn = spec.draw(solutions, data) if key == "13" else spec.draw(solutions)
     picture = folder / "figures" / f"{spec.stem}.png"
-    with whole_file(picture) as temporary:
-        drawn.figure.savefig(temporary, dpi=RESOLUTION)
-    with whole_file(picture.with_suffix(".pdf")) as temporary:
-        drawn.figure.savefig(temporary)
+    paths = picture, picture.with_suffix(".pdf")
+    write_whole({path: image(drawn.figure, path, dpi=RESOLUTION) for path in paths})
     tables = []
     for table in drawn.tables:
         path = folder / "data" / f"{spec.stem}-{table.name}.csv"

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from softlube.experiments.friction_model import PAPER_FIT
-from softlube.files.writing import check_destination, whole_file
+from softlube.files.writing import write_whole
 from softlube.physical.roughness import FULL_FILM
-from softlube.plots.solution import check_format
+from softlube.plots.solution import check_format, image
 
 if TYPE_CHECKING:
     import pandas
@@ -35,8 +35,7 @@ MOST_DOTS = 20_000
 def _write(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
     if path is not None:
         check_format("plot", path)
-        with whole_file(check_destination("plot", path)) as temporary:
-            figure.savefig(temporary, dpi=200)
+        write_whole({path: image(figure, path, dpi=200)})
     return figure
 
 

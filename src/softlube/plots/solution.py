@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -55,6 +56,23 @@ def check_format(name: str, path: str | os.PathLike[str]) -> None:
     ending = os.path.splitext(path)[1].lower().lstrip(".")
     if ending not in ("png", "pdf", "svg"):
         raise InputError(f"{name}: expected a file ending in .png, .pdf or .svg, got {os.fspath(path)!r}")
+
+
+def image(figure: Figure, path: str | os.PathLike[str], dpi: float = 300) -> bytes:
+    """A figure as the bytes of a picture, of the format that the ending of a path says.
+
+    Parameters
+    ----------
+    figure : Figure
+        What to draw.
+    path : path-like
+        Where it is going to be.
+    dpi : float
+        Dots per inch of a picture that is made of dots.
+    """
+    stream = io.BytesIO()
+    figure.savefig(stream, format=os.path.splitext(path)[1].lower().lstrip("."), dpi=dpi)
+    return stream.getvalue()
 
 
 def _scales(solution: Solution) -> tuple[float, str, float, str, float, str]:
@@ -142,11 +160,10 @@ def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figu
         name = r"\beta_N" if solution.problem.load_controlled else r"\beta"
         figure.suptitle(rf"${name}$ = {solution.problem.parameter:.4g}", fontsize=9)
         if path is not None:
-            from softlube.files.writing import check_destination, whole_file
+            from softlube.files.writing import check_destination, write_whole
 
             check_format("plot", path)
-            with whole_file(check_destination("plot", path)) as temporary:
-                figure.savefig(temporary)
+            write_whole({check_destination("plot", path): image(figure, path)})
     return figure
 
 

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from softlube.files.writing import check_destination, whole_file
+from softlube.files.writing import check_destination, write_whole
 from softlube.physical.units import prefixed
-from softlube.plots.solution import FILM_COLOUR, PRESSURE_COLOUR, STYLE, check_format
+from softlube.plots.solution import FILM_COLOUR, PRESSURE_COLOUR, STYLE, check_format, image
 from softlube.transient.sliding.result import Slide
 from softlube.transient.squeeze.result import Squeeze
 
@@ -188,6 +188,5 @@ def picture(result: Transient, path: str | os.PathLike[str] | None = None) -> Fi
         for letter, ax in zip("abcd", axes.flat, strict=True):
             ax.set_title(f"({letter})", loc="left")
         if path is not None:
-            with whole_file(check_destination("plot", path)) as temporary:
-                figure.savefig(temporary)
+            write_whole({check_destination("plot", path): image(figure, path)})
     return figure

@@ -16,7 +16,7 @@ from softlube.model.quantities import QUANTITIES, Quantity, header
 from softlube.physical.inputs import SLIDING_BODIES, Approach, StartOfSliding, names_of
 from softlube.physical.sliding import read_sliding
 from softlube.physical.squeeze import WRITTEN_WAYS, History, Setup, check_one_way, read_motion
-from softlube.sweeps.tasks import Outcome, Value, contents
+from softlube.sweeps.tasks import Outcome, Value
 from softlube.transient.extremes import Extremes
 from softlube.transient.history import Transient
 from softlube.transient.motion import Motion
@@ -103,12 +103,14 @@ def _motion(task: SqueezeTask | SlidingTask) -> Motion:
 
 def _outcome(result: Transient, facts: Mapping[str, Value], with_fields: bool) -> Outcome:
     """When and why a normalised motion ended, and its last values."""
+    from softlube.files.transient import contents
+
     facts = {**facts, **asdict(result.extremes)}
     final = {"end_time": Quantity(float(result.time[-1]), result.time_error)} | result.final
     return Outcome(
         quantities={name: (float(quantity), quantity.error) for name, quantity in final.items()},
         facts=facts,
-        fields=contents(result.save) if with_fields else None,
+        fields=contents(result) if with_fields else None,
     )
 
 
@@ -157,11 +159,10 @@ class ApproachCase:
         import xarray as xr
 
         from softlube.files.transient import in_units
-        from softlube.files.writing import whole_file
+        from softlube.files.writing import netcdf, write_whole
 
-        with whole_file(path) as temporary:
-            data = xr.load_dataset(io.BytesIO(fields), engine="h5netcdf")
-            in_units(data, self.setup, self.sliding).to_netcdf(temporary, engine="h5netcdf")
+        data = xr.load_dataset(io.BytesIO(fields), engine="h5netcdf")
+        write_whole({path: netcdf(in_units(data, self.setup, self.sliding))})
 
 
 class Approaches:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from softlube.errors import InputError
-from softlube.files.writing import check_destination, whole_file
+from softlube.files.writing import check_destination, write_whole
 from softlube.physical.inputs import declared
 from softlube.sweeps.plan import Plan
 from softlube.sweeps.tasks import Outcome
@@ -55,7 +55,7 @@ class Sweep:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the table as CSV or Parquet, by the file's ending, whole or not at all."""
-        save_table(self.table, path)
+        save_table(self.table, check_table("output", path))
 
     def save_fields(self, folder: str | os.PathLike[str]) -> list[Path]:
         """Write the solution of every solved case as NetCDF (case-00001.nc for the table's case 1); needs ``fields=True``."""
@@ -107,19 +107,15 @@ def to_table(result: Sweep) -> pandas.DataFrame:
 
 
 def save_table(table: pandas.DataFrame, path: str | os.PathLike[str]) -> None:
-    """Write a table as CSV or Parquet, whole or not at all.
+    """Write a table as CSV or Parquet, whole or not at all; `check_table` has said that the path will do.
 
     Raises
     ------
-    InputError
-        See `check_table`.
+    InputError, OSError
+        See `softlube.files.writing.write_whole`.
     """
-    path = check_table("output", path)
-    with whole_file(path) as temporary:
-        if path.suffix.lower() == ".csv":
-            table.to_csv(temporary, index=False)
-        else:
-            table.to_parquet(temporary, index=False)
+    text = Path(path).suffix.lower() == ".csv"
+    write_whole({path: table.to_csv(index=False, lineterminator="\n").encode() if text else table.to_parquet(index=False)})
 
 
 def write_fields(result: Sweep, folder: str | os.PathLike[str]) -> list[Path]:

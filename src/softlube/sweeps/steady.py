@@ -16,7 +16,7 @@ from softlube.physical.contact import Contact
 from softlube.physical.inputs import SLIDING_BODIES, Loading, names_of
 from softlube.physical.roughness import lubrication
 from softlube.sweeps.axes import DIMENSIONLESS
-from softlube.sweeps.tasks import Outcome, Value, contents
+from softlube.sweeps.tasks import Outcome, Value
 
 DIGITS = 12
 """Digits of β that count: cases that differ by rounding only are solved once."""
@@ -45,13 +45,14 @@ class SteadyTask:
 
     def solve(self, accuracy: float, with_fields: bool) -> Outcome:
         """See `softlube.solve`."""
+        from softlube.files.netcdf import contents
         from softlube.steady.solve import solve_problem
 
         solution = solve_problem(self.problem, accuracy=accuracy)
         return Outcome(
             quantities={name: (float(quantity), quantity.error) for name, quantity in solution.quantities.items()},
             facts={"beta": solution.beta, "beta_load": solution.beta_load, "warnings": "; ".join(solution.warnings)},
-            fields=contents(solution.save) if with_fields else None,
+            fields=contents(solution) if with_fields else None,
         )
 
 

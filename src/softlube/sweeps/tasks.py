@@ -5,8 +5,7 @@
 
 from __future__ import annotations
 
-import tempfile
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Protocol
@@ -115,11 +114,3 @@ class Kind(Protocol):
             If they describe no case.
         """
         ...
-
-
-def contents(save: Callable[[Path], None]) -> bytes:
-    """What is written to a file."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "solution.nc"
-        save(path)
-        return path.read_bytes()

@@ -92,14 +92,16 @@ class Table:
     def write(self, path: Path) -> None:
         """Write as CSV, whole or not at all."""
         import csv
+        import io
 
-        from softlube.files.writing import whole_file
+        from softlube.files.writing import write_whole
 
-        with whole_file(path) as temporary, open(temporary, "w", newline="", encoding="utf-8") as stream:
-            writer = csv.writer(stream)
-            writer.writerow(self.columns)
-            for row in zip(*self.columns.values(), strict=True):
-                writer.writerow([cell if isinstance(cell, str) else f"{float(cell):.8g}" for cell in row])
+        stream = io.StringIO(newline="")
+        writer = csv.writer(stream)
+        writer.writerow(self.columns)
+        for row in zip(*self.columns.values(), strict=True):
+            writer.writerow([cell if isinstance(cell, str) else f"{float(cell):.8g}" for cell in row])
+        write_whole({path: stream.getvalue().encode()})
 
 
 Verdict = Literal["agrees", "disagrees", "more"]
