@@ -1,8 +1,20 @@
-"""``python -m softlube``: the command line."""
+"""The command ``softlube``, also ``python -m softlube``."""
 
 import sys
 
-from softlube.cli.main import main
+
+def main() -> int:
+    """Run the command line; returns the exit code."""
+    from softlube.cli.stopping import stoppable
+
+    return stoppable(_command)
+
+
+def _command() -> int:
+    from softlube.cli.main import main
+
+    return main()
+
 
 if __name__ == "__main__":
     sys.exit(main())

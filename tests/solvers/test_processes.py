@@ -43,7 +43,7 @@ def deadly(task):
 def test_neighbours_share_a_process(tmp_path):
     processes = Processes(2)
     found = dict(processes.along(partial(process_of, folder=tmp_path), [1, 2, 3, 4]))
-    processes.close(wait=True)
+    processes.close()
     assert found[1] == found[2] != found[3] == found[4]
     assert set(found) == {1, 2, 3, 4}
 
@@ -54,4 +54,4 @@ def test_a_task_that_ends_its_process_again_and_again_is_told():
     assert next(walk) == (1, 1)
     with pytest.raises(WorkerDied):
         next(walk)
-    processes.close(wait=False)
+    processes.close()

@@ -58,7 +58,7 @@ def test_a_lost_connection_is_no_failure_of_the_case():
         future.remote.cancel()
         with pytest.raises(ConnectionResetError, match="run again to take it up"):
             future.result(60)
-        executor.close(wait=False)
+        executor.close()
 
 
 @pytest.mark.slow

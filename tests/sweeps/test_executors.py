@@ -23,13 +23,13 @@ def test_a_killed_worker_is_noticed_and_replaced():
     executor = Local(1)
     task = SteadyTask(Problem(beta=100))
     assert not executor.submit(0, task, ROUGH, False).result(60).failed
-    (process,) = executor._processes._pools[0]._processes
+    process = executor._processes._workers[0].pid
     future = executor.submit(0, SteadyTask(Problem(beta=2e5)), 2e-4, False)
     os.kill(process, signal.SIGKILL)
     with pytest.raises(WorkerDied):
         future.result(60)
     assert not executor.submit(0, task, ROUGH, False).result(60).failed
-    executor.close(wait=True)
+    executor.close()
 
 
 def test_workers_end_with_a_killed_sweep(tmp_path):
@@ -40,7 +40,7 @@ def test_workers_end_with_a_killed_sweep(tmp_path):
         "from softlube.sweeps.steady import SteadyTask\n"
         "executor = Local(1)\n"
         "executor.submit(0, SteadyTask(Problem(beta=100)), 0.05, False).result()\n"
-        "print(*executor._processes._pools[0]._processes, flush=True)\n"
+        "print(executor._processes._workers[0].pid, flush=True)\n"
         "os.kill(os.getpid(), signal.SIGKILL)\n"
     )
     killed = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
@@ -62,7 +62,7 @@ def test_a_lane_is_one_process_with_one_thread(monkeypatch):
     assert list(executor.lanes()) == [0, 1]
     futures = [executor.submit(lane, Told(beta=1), ROUGH, False) for lane in (0, 1, 0)]
     told = [future.result(60).facts for future in futures]
-    executor.close(wait=True)
+    executor.close()
     assert told[0]["process"] == told[2]["process"] != told[1]["process"]
     assert {facts["threads"] for facts in told} == {"1"}
 

@@ -132,7 +132,7 @@ class Deadly:
             future.set_result(Outcome("", {"film_min": (1.0, 0.1)}, {"beta": beta}))
         return future
 
-    def close(self, *, wait):
+    def close(self):
         pass
 
 

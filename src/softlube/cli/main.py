@@ -13,7 +13,6 @@ from cyclopts import App, CycloptsError, UnknownOptionError
 EXIT_INPUT = 2
 EXIT_NOT_CONVERGED = 3
 EXIT_SYSTEM = 1
-EXIT_INTERRUPTED = 130
 EXIT_BROKEN_PIPE = 141
 
 
@@ -99,8 +98,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return EXIT_BROKEN_PIPE
     except OSError as error:
         return _complain(f"{error.filename or 'output'}: {error.strerror or error}", EXIT_SYSTEM)
-    except KeyboardInterrupt:
-        return _complain("interrupted", EXIT_INTERRUPTED)
     return result if isinstance(result, int) else 0
 
 

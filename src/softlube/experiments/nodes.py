@@ -185,10 +185,10 @@ class Nodes:
         self._processes = self._processes or Processes()
         yield from self._processes.along(solve_and_keep, tasks)
 
-    def close(self, *, wait: bool) -> None:
+    def close(self) -> None:
         """End the processes; keep the cache within its bounds."""
         if self._processes is not None:
-            self._processes.close(wait=wait)
+            self._processes.close()
             Cache().trim()
 
 
@@ -196,9 +196,7 @@ class Nodes:
 def solving() -> Generator[Nodes]:
     """`Nodes` whose processes end with the block."""
     nodes = Nodes()
-    finished = False
     try:
         yield nodes
-        finished = True
     finally:
-        nodes.close(wait=finished)
+        nodes.close()

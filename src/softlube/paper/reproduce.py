@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from contextlib import contextmanager
+from collections import deque
+from collections.abc import Hashable, Iterable, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,7 @@ from softlube.errors import InputError
 from softlube.paper.figures import FIGURES, Case, FigureSpec, Statement
 from softlube.paper.figures.base import BALL_ON_RUBBER, WIDE
 from softlube.paper.report import Law, Section, law_table, write_report
+from softlube.solvers.processes import Processes
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.solution import Solution
 
@@ -181,27 +182,6 @@ def _effort(case: Case) -> float:
     return case.beta ** (1 / COSTLY) * (3 if case.cavitation == "none" or case.accuracy < 1e-3 else 1) + 100 / case.beta
 
 
-@contextmanager
-def _one_thread_each() -> Iterator[None]:
-    """Keep the linear algebra of the processes to one thread each: they share the processors."""
-    before = os.environ.get("OPENBLAS_NUM_THREADS")
-    os.environ["OPENBLAS_NUM_THREADS"] = "1"
-    try:
-        yield
-    finally:
-        if before is None:
-            del os.environ["OPENBLAS_NUM_THREADS"]
-        else:
-            os.environ["OPENBLAS_NUM_THREADS"] = before
-
-
-def _leave_interrupts_to_the_parent() -> None:
-    """A process of the pool: Ctrl-C ends the parent, which ends the pool; the children would only complain."""
-    import signal
-
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
 def _run(
     specs: Sequence[FigureSpec], folder: Path, data: Path | None, processes: int, progress: Listener | None
 ) -> tuple[dict[Case, Solution], list[Section]]:
@@ -225,36 +205,31 @@ def _run(
             report(f"drew {spec.stem}")
         return solutions, [sections[spec.key] for spec in specs]
 
-    import multiprocessing
-
-    context = multiprocessing.get_context("spawn")
-    with (
-        _one_thread_each(),
-        ProcessPoolExecutor(processes, mp_context=context, initializer=_leave_interrupts_to_the_parent) as pool,
-    ):
-        try:
-            solving: dict[Future[Solution], Case] = {pool.submit(_solve_and_save, case, folder): case for case in cases}
-            drawing: dict[Future[Section], FigureSpec] = {}
-            waiting = list(specs)
-            while solving or drawing:
-                jobs: list[Future[Any]] = [*solving, *drawing]
-                done, _ = wait(jobs, return_when=FIRST_COMPLETED)
-                for future in done:
-                    if future in solving:
-                        case = solving.pop(future)
-                        solutions[case] = future.result()
-                        report(f"solved {case.name}")
-                    else:
-                        spec = drawing.pop(future)
-                        sections[spec.key] = future.result()
-                        report(f"drew {spec.stem}")
-                for spec in [s for s in waiting if all(case in solutions for case in s.cases)]:
-                    waiting.remove(spec)
+    pool = Processes(processes)
+    unsolved, undrawn = deque(cases), list(specs)
+    flying: dict[Future[Any], tuple[Hashable, Case | FigureSpec]] = {}
+    try:
+        while unsolved or undrawn or flying:
+            busy = {lane for lane, _ in flying.values()}
+            for lane in (lane for lane in pool.lanes if lane not in busy):
+                spec = next((spec for spec in undrawn if all(case in solutions for case in spec.cases)), None)
+                if spec is not None:
+                    undrawn.remove(spec)
                     own = {case: solutions[case] for case in spec.cases}
-                    drawing[pool.submit(_draw_and_save, spec.key, own, folder, data)] = spec
-        except BaseException:
-            pool.shutdown(cancel_futures=True)
-            raise
+                    flying[pool.submit(lane, _draw_and_save, spec.key, own, folder, data)] = lane, spec
+                elif unsolved:
+                    case = unsolved.popleft()
+                    flying[pool.submit(lane, _solve_and_save, case, folder)] = lane, case
+            for future in wait(flying, return_when=FIRST_COMPLETED).done:
+                _, job = flying.pop(future)
+                if isinstance(job, Case):
+                    solutions[job] = future.result()
+                    report(f"solved {job.name}")
+                else:
+                    sections[job.key] = future.result()
+                    report(f"drew {job.stem}")
+    finally:
+        pool.close()
     return solutions, [sections[spec.key] for spec in specs]
 
 

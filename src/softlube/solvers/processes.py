@@ -2,47 +2,45 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import pickle
+import subprocess
+import sys
 import threading
-import time
 from collections import deque
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
-from typing import Any, Generic, TypeVar
+from contextlib import suppress
+from typing import Any, BinaryIO, Generic, TypeVar, cast
+
+from softlube.solvers.worker import receive, send
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
 
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1")
 """Environment of a worker: as many processes as cores leave no core for a second thread of the linear algebra."""
-WATCH = 0.5
-"""Seconds between a worker's looks at whether its parent is there."""
+PATIENCE = 2.0
+"""Seconds in which a process ends when it is told to; longer than `softlube.solvers.worker.GRACE`."""
 MOST_DEATHS = 2
 """Times that a task may take its worker's process with it before it counts as failed."""
 
 
-class WorkerDied(Exception):
+class WorkerDied(ChildProcessError):
     """The process that worked on a task is gone, by a signal or for want of memory."""
+
+    def __init__(self, how: str) -> None:
+        super().__init__(errno.ECHILD, how, "worker")
+
+    def __str__(self) -> str:
+        return str(self.strerror)
 
 
 def cores() -> int:
     """Cores that this process may use."""
     affinity = getattr(os, "sched_getaffinity", None)
     return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
-
-
-def end_with(parent: int) -> None:
-    """End this process when its parent has ended: a killed calculation must not leave its workers behind.
-
-    A worker waits for work on a pipe that it holds both ends of, and so would never notice.
-    """
-
-    def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(WATCH)
-        os._exit(1)
-
-    threading.Thread(target=watch, daemon=True).start()
 
 
 class Stretches(Generic[Task]):
@@ -86,8 +84,8 @@ class Processes:
     """Lanes, each of which does one thing at a time in one process with one thread; started when first used, replaced when
     they die.
 
-    loky starts them: unlike the standard library's, its workers need no ``if __name__ == "__main__"`` in the caller's script,
-    and one that dies is told as an error.
+    A process ends when the pipe to it ends, see `softlube.solvers.worker`: with this one, however this one ends.  Unlike the
+    standard library's, it needs no ``if __name__ == "__main__"`` in the caller's script.
 
     Parameters
     ----------
@@ -97,40 +95,32 @@ class Processes:
 
     def __init__(self, count: int | None = None) -> None:
         self.lanes: list[Hashable] = list(range(count or cores()))
-        self._pools: dict[Hashable, Any] = {}
+        self._workers: dict[Hashable, subprocess.Popen[bytes]] = {}
 
     def submit(self, lane: Hashable, function: Callable[..., Result], *arguments: Any) -> Future[Result]:
         """Call a function in the lane's process; the future raises `WorkerDied` if the process went away."""
-        from loky.process_executor import BrokenProcessPool, ProcessPoolExecutor
+        import cloudpickle
 
-        if lane not in self._pools:
-            self._pools[lane] = ProcessPoolExecutor(
-                max_workers=1, env=ONE_THREAD, initializer=end_with, initargs=(os.getpid(),)
-            )
-        result: Future[Result] = Future()
+        request = cloudpickle.dumps((function, arguments))
+        worker = self._workers.get(lane)
+        if worker is not None and worker.poll() is not None:
+            _end(worker)
+            worker = None
+        if worker is None:
+            worker = self._workers[lane] = _start()
+        future: Future[Result] = Future()
+        threading.Thread(target=_call, args=(worker, request, future), daemon=True).start()
+        return future
 
-        def hand_on(done: Future[Result]) -> None:
-            error = done.exception()
-            if isinstance(error, BrokenProcessPool):
-                self._pools.pop(lane, None)
-                error = WorkerDied(str(error).splitlines()[0] if str(error) else "the process ended")
-            if error is not None:
-                result.set_exception(error)
-            else:
-                result.set_result(done.result())
-
-        try:
-            self._pools[lane].submit(function, *arguments).add_done_callback(hand_on)
-        except BrokenProcessPool as error:  # died between two tasks
-            self._pools.pop(lane, None)
-            result.set_exception(WorkerDied(str(error)))
-        return result
-
-    def close(self, *, wait: bool) -> None:
-        """End the processes; without `wait` also what they are doing."""
-        for pool in self._pools.values():
-            pool.shutdown(wait=wait, kill_workers=not wait)
-        self._pools.clear()
+    def close(self) -> None:
+        """End the processes and what they are doing."""
+        workers = list(self._workers.values())
+        self._workers.clear()
+        for worker in workers:  # first all at once, then wait for each
+            with suppress(OSError):
+                _pipes(worker)[0].close()
+        for worker in workers:
+            _end(worker)
 
     def along(self, function: Callable[[Task], Result], tasks: Sequence[Task]) -> Iterator[tuple[Task, Result]]:
         """Call a function with each of some tasks, neighbours in one process; results as they come.
@@ -168,3 +158,57 @@ class Processes:
                     if deaths[task] == MOST_DEATHS:
                         raise
                     pending.put_back(lane, task)
+
+
+def _start() -> subprocess.Popen[bytes]:
+    """A process that waits for requests.  In a group of its own: what the terminal interrupts is this process."""
+    code = f"import sys; sys.path[:] = {sys.path!r}; from softlube.solvers.worker import serve; serve()"
+    own_group: dict[str, Any] = {"process_group": 0} if os.name == "posix" else {}
+    return subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        env=os.environ | ONE_THREAD,
+        **own_group,
+    )
+
+
+def _end(worker: subprocess.Popen[bytes]) -> None:
+    """Close what leads to a process, and wait until it has gone."""
+    requests, replies = _pipes(worker)
+    with suppress(OSError):
+        requests.close()
+    try:
+        worker.wait(PATIENCE)
+    except subprocess.TimeoutExpired:
+        worker.kill()
+        worker.wait()
+    replies.close()
+
+
+def _pipes(worker: subprocess.Popen[bytes]) -> tuple[BinaryIO, BinaryIO]:
+    """To the process and from it."""
+    assert worker.stdin is not None
+    assert worker.stdout is not None
+    return cast(BinaryIO, worker.stdin), cast(BinaryIO, worker.stdout)
+
+
+def _call(worker: subprocess.Popen[bytes], request: bytes, future: Future[Any]) -> None:
+    """Ask the process, and put its answer into the future."""
+    requests, replies = _pipes(worker)
+    try:
+        send(requests, request)
+        answer = receive(replies)
+    except (EOFError, OSError, ValueError):  # ValueError: closed by `Processes.close`
+        code = worker.wait()
+        how = f"signal {-code}" if code < 0 else f"exit code {code}"
+        future.set_exception(WorkerDied(f"the process ended with {how}"))
+        return
+    try:
+        good, result = pickle.loads(answer)
+    except Exception as error:
+        good, result = False, error
+    if good:
+        future.set_result(result)
+    else:
+        future.set_exception(result)

@@ -32,8 +32,8 @@ class Executor(Protocol):
         """Start to solve; the future raises `WorkerDied` if the process went away, OSError if all of the cluster did."""
         ...
 
-    def close(self, *, wait: bool) -> None:
-        """Let go of the workers; without `wait` also of what they are doing."""
+    def close(self) -> None:
+        """Let go of the workers and of what they are doing."""
         ...
 
 
@@ -53,9 +53,9 @@ class Local:
         """Solve in the lane's process."""
         return self._processes.submit(lane, solve_one, task, accuracy, fields)
 
-    def close(self, *, wait: bool) -> None:
+    def close(self) -> None:
         """End the processes."""
-        self._processes.close(wait=wait)
+        self._processes.close()
 
 
 class Dask:
@@ -138,6 +138,6 @@ class Dask:
         result.remote = remote  # type: ignore[attr-defined]  # the cluster forgets a task that nobody holds
         return result
 
-    def close(self, *, wait: bool) -> None:
+    def close(self) -> None:
         """Leave the cluster as it was."""
         self._client.close()

@@ -89,16 +89,14 @@ def sweep(
     tasks: dict[str, Task] = dict(zip(keys, each, strict=True))
     # Before the store: what is refused leaves no file behind.
     executor: Executor = Local(workers) if scheduler is None else Dask(scheduler, {task.kind for task in tasks.values()})
-    finished = False
     try:
         with Store(":memory:" if store is None else store) as kept:
             run = _Run(plan.accuracy, tasks, kept, fields, retry_failed, progress)
             run.go(executor)
-            finished = True
             foreign = kept.count_foreign({solver_version(kind) for kind in ROOMS})
             return Sweep(plan, tuple(keys), kept.outcomes(tasks, fields=fields), run.found, foreign)
     finally:
-        executor.close(wait=finished)
+        executor.close()
 
 
 class _Run:

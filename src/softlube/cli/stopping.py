@@ -1,0 +1,67 @@
+"""Signals that end a command: it lets go of its workers, removes what it has begun to write, and says so in one line."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable
+from types import FrameType
+
+GRACE = 10.0
+"""Seconds after which a command that has not ended by itself is ended; its workers end with it."""
+
+WORDS = {"SIGINT": "interrupted", "SIGTERM": "terminated", "SIGHUP": "hung up"}
+"""Signals, and what is said of them."""
+
+
+class Stopped(BaseException):
+    """A signal asks the command to end.
+
+    Attributes
+    ----------
+    name : str
+        Of the signal, a key of `WORDS`.
+    """
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+
+def stoppable(command: Callable[[], int]) -> int:
+    """Run the one command of this process.
+
+    The first signal raises `Stopped` where the command is; later ones do not disturb the end.  A signal that the process was
+    started to ignore (nohup) stays ignored.
+
+    Returns
+    -------
+    int
+        The command's exit code, or 128 and the number of the signal that ended it (130 for Ctrl-C).
+    """
+    known = {getattr(signal, name): name for name in WORDS if hasattr(signal, name)}
+    heard = [number for number in known if signal.getsignal(number) not in (signal.SIG_IGN, None)]
+
+    def deaf() -> None:
+        for number in heard:
+            signal.signal(number, lambda number, frame: None)  # SIG_IGN would complain of one that has just come
+
+    def stop(number: int, frame: FrameType | None) -> None:
+        deaf()
+        # Something may swallow the exception, or hang before its end.
+        fallback = threading.Timer(GRACE, os._exit, (128 + number,))
+        fallback.daemon = True
+        fallback.start()
+        raise Stopped(known[number])
+
+    try:
+        for number in heard:
+            signal.signal(number, stop)
+        code = command()
+        deaf()  # the work is done, and the interpreter takes a moment to end
+    except Stopped as stopped:
+        print(f"softlube: {WORDS[stopped.name]}", file=sys.stderr)
+        return 128 + getattr(signal, stopped.name)
+    return code
