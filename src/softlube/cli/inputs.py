@@ -95,7 +95,10 @@ def one_contact(
             raise InputError("cavitation: the solution has its own; leave it out")
         from softlube.files.netcdf import load
 
-        return load(solution)
+        try:
+            return load(solution)
+        except InputError as error:
+            raise InputError(str(error).replace("path:", "solution:", 1)) from None
     cavitation = cavitation or "reynolds"
     if physical:
         from softlube.physical.contact import Contact

@@ -4,50 +4,51 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from functools import partial
 from importlib.metadata import version
-from typing import Any
+from typing import Any, TypeVar
 
 import xarray as xr
 
 from softlube.discretization.fields import Chart, Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError
+from softlube.files.consistency import check_consistency, check_grid
+from softlube.files.hdf5 import Content, Damaged, Rule, Variable, check, read
 from softlube.files.writing import check_destination, netcdf, write_whole
 from softlube.model.problem import Problem
-from softlube.model.quantities import FIELDS, QUANTITIES, Quantity
+from softlube.model.quantities import FIELDS, QUANTITIES, STEADY, Quantity
 from softlube.physical.contact import Contact
 from softlube.solvers.newton import Iteration
 from softlube.steady.level import Level, Record, SavedRecord
 from softlube.steady.solution import Solution
+
+Made = TypeVar("Made")
 
 SI_SUFFIX = "_SI"
 OTHER_SUFFIX = "_other"
 POLAR = "plain polar coordinates"
 RENAMED = {"layer": "edge_width", "side_layer": "side_width", "crowding": "side_clustering", "crest_layer": "crest_width"}
 """Fields of `PolarGrid` as development versions of 0.2.0 called them, and their present names."""
+PLANE = ("r", "theta")
+SCHEMA = {
+    "r": Rule(("r",), "not negative"),
+    "theta": Rule(("theta",)),
+    "pressure": Rule(PLANE),
+    "film": Rule(PLANE, "positive"),
+    "displacement": Rule(PLANE),
+} | dict.fromkeys(STEADY, Rule((), gaps=True))
+"""Arrays of a solution's file, normalised; a quantity that is not given is nan."""
+UNKNOWN = (InputError, TypeError, KeyError, ValueError, AttributeError, IndexError, OverflowError, RecursionError)
+"""What is raised where plain values of a file make no problem, contact, grid or level."""
 
 
 def _plain(level: Level) -> dict[str, Any]:
     """A level without its fields, in plain values."""
     kept = {name: value for name, value in vars(level).items() if name != "fields"}
     return kept | {"values": dict(level.values), "history": [record.summary() for record in level.history]}
-
-
-def _records(summaries: list[dict[str, Any]], method: str) -> tuple[Record, ...]:
-    """Records of the iteration, from their summaries in a file."""
-    return tuple(Iteration(**summary) if method == "newton" else SavedRecord(summary) for summary in summaries)
-
-
-def _chart(stored: str) -> Chart:
-    """The coordinates of the fields, from the attribute "grid"."""
-    if stored == POLAR:
-        from softlube.discretization.chart import PolarChart
-
-        return PolarChart()
-    return PolarGrid(**{RENAMED.get(name, name): value for name, value in json.loads(stored).items()})
 
 
 def to_dataset(solution: Solution) -> xr.Dataset:
@@ -61,8 +62,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     displacement = (fields.height + fields.r[:, None] ** 2 / 2) - fields.film
     values = {"pressure": fields.pressure, "film": fields.film, "displacement": displacement}
     data: dict[str, xr.DataArray] = {
-        name: xr.DataArray(values[name], dims=("r", "theta"), attrs={"long_name": FIELDS[name].words, "units": "1"})
-        for name in values
+        name: xr.DataArray(values[name], dims=PLANE, attrs={"long_name": FIELDS[name].words, "units": "1"}) for name in values
     }
     own, other = ("load", "indentation") if solution.problem.load_controlled else ("indentation", "load")
     families = ((solution.quantities, ""), (solution.other_quantities, OTHER_SUFFIX), (solution.dimensional, SI_SUFFIX))
@@ -98,7 +98,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
         for name in values:
             scale, unit = scales[FIELDS[name].dimension]
             attrs = {"long_name": FIELDS[name].words, "units": unit}
-            data[name + SI_SUFFIX] = xr.DataArray(values[name] * scale, dims=("r", "theta"), attrs=attrs)
+            data[name + SI_SUFFIX] = xr.DataArray(values[name] * scale, dims=PLANE, attrs=attrs)
         length, unit = scales[FIELDS["r"].dimension]
         coordinates["r" + SI_SUFFIX] = ("r", fields.r * length, {"long_name": FIELDS["r"].words, "units": unit})
     return xr.Dataset(data, coords=coordinates, attrs=attributes)
@@ -120,78 +120,109 @@ def save(solution: Solution, path: str | os.PathLike[str]) -> None:
     write_whole({check_destination("output", path): contents(solution)})
 
 
-def load(path: str | os.PathLike[str]) -> Solution:
+def load(path: str | os.PathLike[str] | bytes) -> Solution:
     """Read a solution written by `save` or ``softlube solve --output``.
 
+    All is checked before it is used: that each variable is there and has its shape, that axes increase, films are positive and
+    numbers finite, and that fields, quantities and inputs fit together (`softlube.files.consistency`).
+
+    Parameters
+    ----------
+    path : path or bytes
+        The file, or all of its bytes.
+
     Raises
     ------
     InputError
-        If the file is missing or was not written by softlube.
+        If the file is missing, was not written by softlube, or is damaged or edited; the message names the variable.
     """
     try:
-        with xr.open_dataset(path, engine="h5netcdf") as opened:
-            data = opened.load()
-    except FileNotFoundError:
-        raise InputError(f"path: {str(path)!r} does not exist") from None
-    except OSError as error:
-        raise InputError(f"path: {str(path)!r} is not a NetCDF file ({error})") from None
-    if "softlube_version" not in data.attrs or not data.attrs.get("grid"):
-        raise InputError(f"path: {str(path)!r} does not hold a solution that softlube can take up again")
+        return _solution(read(path))
+    except Damaged as error:
+        raise error.about("fields: what the store has" if isinstance(path, bytes) else f"path: {os.fspath(path)!r}") from None
 
-    def read(suffix: str) -> dict[str, Quantity]:
-        return {
-            str(name).removesuffix(suffix): Quantity(
-                float(item), item.attrs["error"], "" if item.attrs["units"] == "1" else item.attrs["units"]
-            )
-            for name, item in data.data_vars.items()
-            if item.ndim == 0 and next((s for s in (SI_SUFFIX, OTHER_SUFFIX) if str(name).endswith(s)), "") == suffix
-        }
 
-    attrs: Mapping = data.attrs
-    if "height" not in attrs:
-        raise InputError(f"path: {str(path)!r} was written by an earlier version of softlube; solve and save it again")
-    problem, contact = _inputs(attrs, path)
-    quantities = read("")
-    levels = json.loads(attrs["levels"])
-    return Solution(
+def _solution(content: Content) -> Solution:
+    attributes = content.attributes
+    if "softlube_version" not in attributes or not attributes.get("grid"):
+        raise Damaged("does not hold a solution that softlube can take up again")
+    if "height" not in attributes:
+        raise Damaged("was written by an earlier version of softlube; solve and save it again")
+    check(content, SCHEMA)
+    fields = {name: content.variables[name].values for name, rule in SCHEMA.items() if rule.axes}
+    families: dict[str, dict[str, Quantity]] = {"": {}, OTHER_SUFFIX: {}, SI_SUFFIX: {}}
+    for name, found in content.variables.items():
+        suffix = next((each for each in (SI_SUFFIX, OTHER_SUFFIX) if name.endswith(each)), "")
+        if not found.values.ndim and name.removesuffix(suffix) in QUANTITIES:
+            families[suffix][name.removesuffix(suffix)] = _read(name, lambda found=found: _quantity(found))
+    # Development versions of 0.2.0 said "fluid" for "liquid".
+    problem = _read("problem", lambda: Problem.from_plain(json.loads(attributes["problem"].replace('"fluid"', '"liquid"'))))
+    grid, method = str(attributes["grid"]), str(attributes.get("method"))
+    solution = Solution(
         problem=problem,
         fields=Fields(
-            chart=_chart(attrs["grid"]),
-            r=data.r.to_numpy(),
-            theta=data.theta.to_numpy(),
-            pressure=data.pressure.to_numpy(),
-            film=data.film.to_numpy(),
+            chart=_read("grid", lambda: _chart(grid, fields["film"].shape)),
+            r=fields["r"],
+            theta=fields["theta"],
+            pressure=fields["pressure"],
+            film=fields["film"],
             beta=problem.parameter,
             cavitation=problem.cavitation,
-            load=float(quantities["load"]),
-            height=float(attrs["height"]),
+            load=float(families[""]["load"]),
+            height=_number(attributes, "height"),
             liquid=problem.liquid,
         ),
-        quantities=quantities,
-        beta=float(attrs["beta"]),
-        beta_load=float(attrs["beta_load"]),
-        accuracy=float(attrs["accuracy"]),
-        levels=tuple(Level(**(level | {"history": _records(level["history"], attrs["method"])})) for level in levels),
-        method=str(attrs["method"]),
-        contact=contact,
-        dimensional=read(SI_SUFFIX),
-        renormalise=partial(dict, read(OTHER_SUFFIX)),
-        warnings=tuple(json.loads(attrs["warnings"])),
+        quantities=families[""],
+        beta=_number(attributes, "beta"),
+        beta_load=_number(attributes, "beta_load"),
+        accuracy=_number(attributes, "accuracy"),
+        levels=_read("levels", lambda: _levels(json.loads(attributes["levels"]), method)),
+        method=method,
+        contact=_read("inputs_SI", lambda: Contact.from_inputs(json.loads(attributes["inputs_SI"])))
+        if "inputs_SI" in attributes
+        else None,
+        dimensional=families[SI_SUFFIX],
+        renormalise=partial(dict, families[OTHER_SUFFIX]),
+        warnings=_read("warnings", lambda: tuple(map(str, json.loads(attributes["warnings"])))),
     )
+    check_consistency(solution, fields["displacement"])
+    return solution
 
 
-def _inputs(attributes: Mapping[str, Any], path: str | os.PathLike[str]) -> tuple[Problem, Contact | None]:
-    """The problem of a file and its physical input, if it had one.
-
-    Raises
-    ------
-    InputError
-        If they are of a part that is not known here, or of another version of softlube.
-    """
-    # Development versions of 0.2.0 said "fluid" for "liquid".
-    plain = json.loads(attributes["problem"].replace('"fluid"', '"liquid"'))
+def _read(name: str, make: Callable[[], Made]) -> Made:
+    """What a variable or an attribute says, refused by its name if that makes no sense here."""
     try:
-        physical = json.loads(attributes["inputs_SI"]) if "inputs_SI" in attributes else None
-        return Problem.from_plain(plain), None if physical is None else Contact.from_inputs(physical)
-    except (InputError, TypeError, KeyError) as error:
-        raise InputError(f"path: {str(path)!r} holds what this version of softlube does not know ({error})") from None
+        return make()
+    except Damaged:
+        raise
+    except UNKNOWN as error:
+        raise Damaged(f"{name}: holds what this version of softlube does not know ({error})") from None
+
+
+def _number(attributes: Mapping[str, Any], name: str) -> float:
+    return _read(name, lambda: float(attributes[name]))
+
+
+def _quantity(found: Variable) -> Quantity:
+    unit = str(found.attributes["units"])
+    return Quantity(float(found.values), float(found.attributes["error"]), "" if unit == "1" else unit)
+
+
+def _chart(stored: str, shape: tuple[int, ...]) -> Chart:
+    """The coordinates of the fields, from the attribute "grid"."""
+    if stored == POLAR:
+        from softlube.discretization.chart import PolarChart
+
+        return PolarChart()
+    grid = PolarGrid(**{RENAMED.get(name, name): value for name, value in json.loads(stored).items()})
+    check_grid(grid, shape)
+    return grid
+
+
+def _levels(stored: list[dict[str, Any]], method: str) -> tuple[Level, ...]:
+    """Grids on the way, with summaries of what the method did."""
+
+    def record(summary: dict[str, Any]) -> Record:
+        return Iteration(**summary) if method == "newton" else SavedRecord(summary)
+
+    return tuple(Level(**(level | {"history": tuple(map(record, level["history"]))})) for level in stored)

@@ -8,8 +8,10 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import xarray as xr
 
+from softlube.files.hdf5 import Damaged, Rule, check, read
 from softlube.files.writing import check_destination, netcdf, write_whole
 from softlube.model import liquids as liquids
 from softlube.model import substrates
@@ -21,6 +23,10 @@ if TYPE_CHECKING:
 
 AXES = {"r": {"long_name": QUANTITIES["r"].words}, "theta": {"long_name": "angle from the inlet", "units": "rad"}}
 """Attributes of the axes of film and pressure in files."""
+EXTREMES = {"film_min": ("film", np.min), "pressure_max": ("pressure", np.max)}
+"""Histories that are extremes of a field: the field, and which extreme."""
+BETWEEN_NODES = 0.3
+"""Relative difference at most between an extreme and that of the nodes, on the coarsest grids."""
 
 
 def to_dataset(result: Transient) -> xr.Dataset:
@@ -103,3 +109,43 @@ def save(result: Transient, path: str | os.PathLike[str]) -> None:
         See `softlube.files.writing`.
     """
     write_whole({check_destination("output", path): contents(result)})
+
+
+def load(source: str | os.PathLike[str] | bytes) -> xr.Dataset:
+    """Read a film in time that `save` has written.
+
+    Parameters
+    ----------
+    source : path or bytes
+        The file, or all of its bytes.
+
+    Raises
+    ------
+    InputError
+        If an array is missing or has another shape, a number is not finite, a film not positive, an axis does not increase, or
+        the extremes of film and pressure are not those of the fields; the message names the variable.
+    """
+    try:
+        return _dataset(source)
+    except Damaged as error:
+        raise error.about(
+            "fields: what the store has" if isinstance(source, bytes) else f"path: {os.fspath(source)!r}"
+        ) from None
+
+
+def _dataset(source: str | os.PathLike[str] | bytes) -> xr.Dataset:
+    content = read(source)
+    if "film" not in content.variables or "softlube_version" not in content.attributes:
+        raise Damaged("does not hold a film in time")
+    variables = content.variables
+    axes = tuple(name for name in AXES if name in variables)
+    schema = {"time": Rule(("time",)), **{name: Rule((name,)) for name in axes}}
+    schema |= {"film": Rule(("time", *axes), "positive"), "pressure": Rule(("time", *axes))}
+    schema |= {name: Rule(("time",), gaps=True) for name in variables if name not in schema}
+    check(content, schema)
+    for name, (field, extreme) in EXTREMES.items():
+        nodal = extreme(variables[field].values.reshape(variables["time"].values.size, -1), axis=1)
+        if name not in variables or np.any(np.abs(variables[name].values - nodal) > BETWEEN_NODES * np.abs(nodal)):
+            raise Damaged(f"{name}: is not that of the {field}")
+    arrays = {name: (schema[name].axes, found.values, found.attributes) for name, found in variables.items()}
+    return xr.Dataset(arrays, attrs=content.attributes).set_coords(["time", *axes])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
@@ -156,13 +155,10 @@ class ApproachCase:
 
     def write(self, fields: bytes, path: Path) -> None:
         """Write the file that the case's own `save` would write."""
-        import xarray as xr
-
-        from softlube.files.transient import in_units
+        from softlube.files.transient import in_units, load
         from softlube.files.writing import netcdf, write_whole
 
-        data = xr.load_dataset(io.BytesIO(fields), engine="h5netcdf")
-        write_whole({path: netcdf(in_units(data, self.setup, self.sliding))})
+        write_whole({path: netcdf(in_units(load(fields), self.setup, self.sliding))})
 
 
 class Approaches:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 import warnings
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -121,10 +120,7 @@ class SteadyCase:
         """Write a file that `softlube.load` reads, with its fields in SI if the case is physical."""
         from softlube.files.netcdf import load
 
-        with tempfile.TemporaryDirectory() as scratch:
-            stored = Path(scratch) / "solution.nc"
-            stored.write_bytes(fields)
-            solution = load(stored)
+        solution = load(fields)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ValidityWarning)  # the table has the doubts
             (solution if self.contact is None else self.contact.interpret(solution)).save(path)
