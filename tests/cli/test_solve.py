@@ -116,7 +116,7 @@ def test_a_sphere_that_floats_is_solved_by_the_same_command(capsys, tmp_path, gi
         ([], "radius: missing"),
         (["--beta", "abc"], "--beta"),
         (["--beta", "-1"], "--beta: expected a positive"),
-        (["--beta", "nan"], "--beta: expected a positive"),
+        (["--beta", "nan"], "--beta: cannot read 'nan': expected a finite"),
         (["--beta", "10", "--radius", "2 mm"], "not both"),
         (["--beta", "10", "--beta-load", "10"], "--beta, --beta-load: give exactly one"),
         (["--beta", "10", "--cavitation", "x"], "--cavitation: expected"),

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from cyclopts import Group, Parameter
+from cyclopts import Group
 
-from softlube.cli.inputs import takes
+from softlube.cli.inputs import FLOAT, WHOLE, takes
 from softlube.physical.inputs import BODIES, Loading
 
 if TYPE_CHECKING:
@@ -23,14 +23,14 @@ USUAL = ("film_center", "film_min", "friction_total")
 @takes((_CONTACT, BODIES, Loading))
 def curve(
     *quantity: str,
-    beta: Annotated[float | None, Parameter(allow_leading_hyphen=True)] = None,
-    beta_load: Annotated[float | None, Parameter(allow_leading_hyphen=True)] = None,
+    beta: Annotated[float | None, FLOAT] = None,
+    beta_load: Annotated[float | None, FLOAT] = None,
     by: Literal["indentation", "load"] | None = None,
-    start: float | None = None,
-    stop: float | None = None,
-    points: int = 11,
+    start: Annotated[float | None, FLOAT] = None,
+    stop: Annotated[float | None, FLOAT] = None,
+    points: Annotated[int, WHOLE] = 11,
     cavitation: str = "reynolds",
-    accuracy: float | None = None,
+    accuracy: Annotated[float | None, FLOAT] = None,
     csv: str | None = None,
     plot: str | None = None,
     **physical: str,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Group, Parameter
 
-from softlube.cli.inputs import takes
+from softlube.cli.inputs import FLOAT, WHOLE, takes
 from softlube.physical.inputs import BODIES
 
 if TYPE_CHECKING:
@@ -24,14 +24,14 @@ def fit(
     data: str,
     /,
     *,
-    slide_to_roll: Annotated[float, Parameter(group=_RIG)] = 2.0,
+    slide_to_roll: Annotated[float, FLOAT, Parameter(group=_RIG)] = 2.0,
     free: Annotated[list[str] | None, Parameter(group=_FIT, negative=())] = None,
     noise: Annotated[str, Parameter(group=_FIT)] = "relative",
     robust: Annotated[bool, Parameter(group=_FIT, negative=())] = False,
     interval: Annotated[str | None, Parameter(group=_FIT)] = None,
-    confidence: Annotated[float, Parameter(group=_FIT)] = 0.95,
-    hold_out: Annotated[float, Parameter(group=_FIT, allow_leading_hyphen=True)] = 0.0,
-    seed: Annotated[int, Parameter(group=_FIT)] = 0,
+    confidence: Annotated[float, FLOAT, Parameter(group=_FIT)] = 0.95,
+    hold_out: Annotated[float, FLOAT, Parameter(group=_FIT)] = 0.0,
+    seed: Annotated[int, WHOLE, Parameter(group=_FIT)] = 0,
     force: Annotated[str, Parameter(group=_FRICTION)] = "total",
     region: Annotated[str, Parameter(group=_FRICTION)] = "2",
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,

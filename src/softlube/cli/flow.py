@@ -8,7 +8,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from softlube.cli.echo import echo, understood
-from softlube.cli.inputs import GIVEN, PHYSICAL, one_contact, takes
+from softlube.cli.inputs import FLOAT, GIVEN, PHYSICAL, one_contact, takes
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 
 
@@ -16,9 +16,9 @@ from softlube.physical.inputs import SLIDING_BODIES, Loading
 def flow(
     *,
     plot: str,
-    level: float | None = None,
+    level: Annotated[float | None, FLOAT] = None,
     solution: Annotated[str | None, Parameter(group=GIVEN)] = None,
-    beta: Annotated[float | None, Parameter(group=GIVEN)] = None,
+    beta: Annotated[float | None, FLOAT, Parameter(group=GIVEN)] = None,
     cavitation: Annotated[str | None, Parameter(group=GIVEN)] = None,
     **physical: str,
 ) -> int:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from cyclopts import App, CycloptsError, UnknownOptionError
+from cyclopts import App, CoercionError, CycloptsError, UnknownOptionError
 
 EXIT_INPUT = 2
 EXIT_NOT_CONVERGED = 3
@@ -85,6 +85,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except UnknownOptionError as error:
         return _complain(_unknown(error, (*given, "")[0]), EXIT_INPUT)
     except CycloptsError as error:
+        if isinstance(error.__cause__, InputError):  # of an option that is read as all numbers are
+            name = error.token.keyword if isinstance(error, CoercionError) and error.token is not None else None
+            return _complain(f"{name}: {error.__cause__}" if name else str(error.__cause__), EXIT_INPUT)
         return _complain(" ".join(str(error).split()) + " See softlube --help.", EXIT_INPUT)
     except InputError as error:
         return _complain(_as_options(str(error)), EXIT_INPUT)
@@ -129,5 +132,7 @@ def _as_options(message: str) -> str:
 
 
 def _complain(message: str, code: int) -> int:
-    print(f"softlube: {message}", file=sys.stderr)
+    from softlube.errors import one_line
+
+    print(f"softlube: {one_line(message)}", file=sys.stderr)
     return code

@@ -6,6 +6,8 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
+from softlube.cli.inputs import WHOLE
+
 
 def reproduce(
     folder: str,
@@ -13,7 +15,7 @@ def reproduce(
     *,
     figure: Annotated[list[str] | None, Parameter(negative=())] = None,
     data: str | None = None,
-    processes: int | None = None,
+    processes: Annotated[int | None, WHOLE] = None,
 ) -> int:
     """Solve and draw every figure of the paper, and report our numbers beside the paper's.
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from cyclopts import Group, Parameter
 
 from softlube.cli.echo import echo, understood
-from softlube.cli.inputs import PHYSICAL, takes
+from softlube.cli.inputs import FLOAT, PHYSICAL, takes
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 
 if TYPE_CHECKING:
@@ -23,10 +23,10 @@ _OUTPUT = Group("Output", sort_key=4)
 @takes((PHYSICAL, SLIDING_BODIES, Loading))
 def solve(
     *,
-    beta: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
-    beta_load: Annotated[float | None, Parameter(group=_DIMENSIONLESS)] = None,
+    beta: Annotated[float | None, FLOAT, Parameter(group=_DIMENSIONLESS)] = None,
+    beta_load: Annotated[float | None, FLOAT, Parameter(group=_DIMENSIONLESS)] = None,
     cavitation: Annotated[str, Parameter(group=_METHOD)] = "reynolds",
-    accuracy: Annotated[float, Parameter(group=_METHOD)] = 1e-3,
+    accuracy: Annotated[float, FLOAT, Parameter(group=_METHOD)] = 1e-3,
     method: Annotated[str, Parameter(group=_METHOD)] = "newton",
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,

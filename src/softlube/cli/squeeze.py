@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from cyclopts import Group, Parameter
 
 from softlube.cli.echo import echo, understood
-from softlube.cli.inputs import PHYSICAL, takes
+from softlube.cli.inputs import FLOAT, PHYSICAL, takes
 from softlube.model.motions import Sliding
 from softlube.physical.inputs import BODIES, Approach, StartOfSliding, names_of
 
@@ -28,7 +28,7 @@ OUTPUT = Group("Output", sort_key=4)
 @takes((PHYSICAL, BODIES), (MOTION, (), Approach), (SLIDING, (Sliding.slot,), StartOfSliding))
 def squeeze(
     *,
-    accuracy: float | None = None,
+    accuracy: Annotated[float | None, FLOAT] = None,
     output: Annotated[str | None, Parameter(group=OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=OUTPUT)] = None,
     as_json: Annotated[bool, Parameter(name="--json", negative=(), group=OUTPUT)] = False,

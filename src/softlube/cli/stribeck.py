@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Group, Parameter
 
-from softlube.cli.inputs import takes
+from softlube.cli.inputs import FLOAT, WHOLE, takes
 from softlube.physical.inputs import BODIES
 
 if TYPE_CHECKING:
@@ -31,11 +31,11 @@ def stribeck(
     load: Annotated[list[str] | None, Parameter(group=_MOTION, negative=(), allow_leading_hyphen=True)] = None,
     slowest: Motion = None,
     fastest: Motion = None,
-    slide_to_roll: Annotated[float, Parameter(group=_MOTION)] = 2.0,
-    points: Annotated[int, Parameter(group=_MOTION)] = 61,
+    slide_to_roll: Annotated[float, FLOAT, Parameter(group=_MOTION)] = 2.0,
+    points: Annotated[int, WHOLE, Parameter(group=_MOTION)] = 61,
     force: Annotated[str, Parameter(group=_FRICTION)] = "total",
     region: Annotated[str, Parameter(group=_FRICTION)] = "2",
-    accuracy: Annotated[float, Parameter(group=_FRICTION)] = 3e-3,
+    accuracy: Annotated[float, FLOAT, Parameter(group=_FRICTION)] = 3e-3,
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     against: Annotated[str, Parameter(group=_OUTPUT)] = "hersey",

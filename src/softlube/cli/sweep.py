@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from softlube.cli.inputs import WHOLE
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -22,7 +24,7 @@ def sweep(
     output: str | None = None,
     store: str | None = None,
     fields: str | None = None,
-    workers: int | None = None,
+    workers: Annotated[int | None, WHOLE] = None,
     scheduler: str | None = None,
     retry_failed: Annotated[bool, Parameter(negative=())] = False,
 ) -> int:

@@ -155,17 +155,19 @@ def _shape(shape: tuple[int, ...]) -> str:
 def _bytes(path: str | os.PathLike[str]) -> bytes:
     try:
         status = os.stat(path)
-        if not stat.S_ISREG(status.st_mode):
-            raise Damaged("is no file" if not stat.S_ISDIR(status.st_mode) else "is a folder")
-        if status.st_size > LARGEST:
-            raise Damaged(f"has {status.st_size:.3g} bytes; files of softlube have {LARGEST:g} at most")
-        return Path(path).read_bytes()
+        regular, small = stat.S_ISREG(status.st_mode), status.st_size <= LARGEST
+        image = Path(path).read_bytes() if regular and small else b""
     except FileNotFoundError:
         raise Damaged("does not exist") from None
     except OSError as error:
         raise Damaged(f"cannot be read ({error.strerror})") from None
     except ValueError:  # NUL
         raise Damaged("is no name of a file") from None
+    if not regular:
+        raise Damaged("is a folder" if stat.S_ISDIR(status.st_mode) else "is no file")
+    if not small:
+        raise Damaged(f"has {status.st_size:.3g} bytes; files of softlube have {LARGEST:g} at most")
+    return image
 
 
 class _Child:

@@ -88,6 +88,8 @@ LONGEST = 100
 LEAST, GREATEST = 1e-290, 1e290
 """Magnitudes between which no digit is lost."""
 
+WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
+"""A whole number that is no quantity: how many, or a seed."""
 THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
 """A number whose comma may be a decimal sign or part thousands."""
 
