@@ -55,7 +55,7 @@ def test_a_lost_connection_is_no_failure_of_the_case():
         executor = Dask(cluster.scheduler_address, ["steady"])
         (lane,) = executor.lanes()
         future = executor.submit(lane, SteadyTask(Problem(beta=1000)), 1e-3, False)
-        future.remote.cancel()
+        executor._running[future][1].cancel()
         with pytest.raises(ConnectionResetError, match="run again to take it up"):
             future.result(60)
         executor.close()

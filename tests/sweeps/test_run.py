@@ -116,6 +116,8 @@ def test_an_unexpected_error_is_a_failure_of_its_case(monkeypatch):
 class Deadly:
     """An executor whose worker dies over some problems a number of times."""
 
+    most_deaths = 2
+
     def __init__(self, deaths):
         self.deaths = deaths
 

@@ -6,30 +6,53 @@ elastic operators of the grids it has met.  `softlube.sweeps.run` gives every la
 
 from __future__ import annotations
 
+import asyncio
 import errno
 import gc
-from collections.abc import Hashable, Iterable
-from concurrent.futures import Future
-from typing import Any, Protocol
+import logging
+import time
+import uuid
+from collections.abc import Hashable, Iterable, Mapping
+from concurrent.futures import CancelledError, Future, InvalidStateError
+from contextlib import suppress
+from typing import Any, Protocol, cast
 
 from softlube.errors import InputError
-from softlube.solvers.processes import Processes, WorkerDied
+from softlube.solvers.processes import MOST_DEATHS, Processes, WorkerDied
 from softlube.sweeps.tasks import Outcome, Task
 from softlube.sweeps.work import solve_one, solver_version
 
-JOIN_TIMEOUT = 30.0
-"""Seconds to wait for a scheduler, and for its first worker."""
+JOIN_TIMEOUT = 12.0
+"""Seconds to wait for a scheduler, for its first worker, and for any answer."""
+DESERTED = 20.0
+"""Seconds to wait for another worker when all have gone."""
+CLOSING = 2.0
+"""Seconds to take leave of a cluster, which may have gone."""
 
 
 class Executor(Protocol):
-    """Something with lanes."""
+    """Something with lanes.
+
+    Attributes
+    ----------
+    most_deaths : int
+        Times that a task may take its worker with it before it counts as failed.
+    """
+
+    most_deaths: int
 
     def lanes(self) -> list[Hashable]:
-        """Those there are now; workers may come and go."""
+        """Those there are now; workers may come and go.
+
+        Raises
+        ------
+        ConnectionError
+            If the whole cluster has gone.
+        """
         ...
 
     def submit(self, lane: Hashable, task: Task, accuracy: float, fields: bool) -> Future[Outcome]:
-        """Start to solve; the future raises `WorkerDied` if the process went away, OSError if all of the cluster did."""
+        """Start to solve; the future raises `WorkerDied` if the process went away."""
         ...
 
     def close(self) -> None:
@@ -39,6 +62,8 @@ class Executor(Protocol):
 
 class Local:
     """Processes of this machine; see `softlube.solvers.processes.Processes`."""
+
+    most_deaths = MOST_DEATHS
 
     def __init__(self, workers: int | None = None) -> None:
         if workers is not None and (isinstance(workers, bool) or workers < 1):
@@ -59,7 +84,10 @@ class Local:
 
 
 class Dask:
-    """Workers of a Dask cluster.  Where one goes away, the scheduler gives its task to another.
+    """Workers of a Dask cluster.
+
+    A task belongs to one worker.  That a worker has gone is asked of the scheduler, not waited for: its tasks then raise
+    `WorkerDied`, and `softlube.sweeps.run` gives them to others.  No call waits for longer than `JOIN_TIMEOUT`.
 
     Parameters
     ----------
@@ -69,75 +97,123 @@ class Dask:
         Kinds of the tasks to come, see `softlube.sweeps.work.ROOMS`; the workers must solve them with the same code.
     """
 
+    most_deaths = 4
+    """On a cluster, machines go for reasons of their own."""
+
     def __init__(self, address: str, kinds: Iterable[str]) -> None:
         try:
             from distributed import Client
         except ImportError:
             raise InputError("scheduler: needs the extra dask: pip install 'softlube[dask]'") from None
         reason = ""
+        self._levels = _silenced()
         try:
-            self._client = Client(address, timeout=JOIN_TIMEOUT, set_as_default=False)
+            self._client: Any = Client(address, timeout=JOIN_TIMEOUT, set_as_default=False)
         except (OSError, ValueError) as error:
             reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         if reason:
             gc.collect()  # ends the half-made client now; ended while another one starts, it blocks both
+            _heard_again(self._levels)
             raise InputError(f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786")
+        self._running: dict[Future[Outcome], tuple[Hashable, Any]] = {}
+        self._peopled = time.monotonic()
+        self._name, self._count = uuid.uuid4().hex, 0
+        ours = {solver_version(kind) for kind in kinds}
+        refused = ""
         try:
             self._client.wait_for_workers(1, timeout=JOIN_TIMEOUT)
-            ours = [solver_version(kind) for kind in sorted(kinds)]
-            versions = [version for kind in sorted(kinds) for version in self._client.run(solver_version, kind).values()]
+            others = self._versions(kinds) - ours
+            if others:
+                refused = f"a worker has softlube {others.pop()}, and this is {ours.pop()}: install the same"
         except TimeoutError:
-            self._client.close()
-            raise InputError(f"scheduler: {address!r} has no worker") from None
+            refused = f"{address!r} has no worker that answers"
         except Exception as error:
-            self._client.close()
-            raise InputError(f"scheduler: the workers at {address!r} cannot run softlube ({error})") from None
-        others = set(versions) - set(ours)
-        if others:
-            self._client.close()
-            raise InputError(f"scheduler: a worker has softlube {others.pop()}, and this is {ours[0]}: install the same")
-        self._count = 0
+            refused = f"the workers at {address!r} cannot run softlube ({error})"
+        if refused:
+            self.close()
+            raise InputError(f"scheduler: {refused}")
+
+    def _versions(self, kinds: Iterable[str]) -> set[str]:
+        """Versions of the code on the workers."""
+        asked = (self._client.sync(self._client._run, solver_version, kind, callback_timeout=JOIN_TIMEOUT) for kind in kinds)
+        return {version for answers in asked for version in answers.values()}
 
     def lanes(self) -> list[Hashable]:
-        """One for each thread of each worker."""
-        workers = self._client.scheduler_info(n_workers=-1)["workers"]
-        return [(address, thread) for address, worker in workers.items() for thread in range(worker["nthreads"])]
+        """One for each thread of each worker.  Tasks of those that have gone raise `WorkerDied`."""
+        try:
+            if self._client.status != "running":
+                raise OSError
+            workers = self._client.sync(self._client.scheduler.identity, callback_timeout=JOIN_TIMEOUT)["workers"]
+        except (OSError, AttributeError, RuntimeError):  # AttributeError, RuntimeError: its client has just given up
+            raise _lost("the connection to the cluster was lost") from None
+        lanes: list[Hashable] = [
+            (address, thread) for address, worker in workers.items() for thread in range(worker["nthreads"])
+        ]
+        if lanes:
+            self._peopled = time.monotonic()
+        elif time.monotonic() - self._peopled > DESERTED:
+            raise _lost(f"the cluster has had no worker for {DESERTED:.0f} s")
+        for result, (lane, remote) in list(self._running.items()):
+            if lane not in lanes and not result.done():
+                _settle(result, error=WorkerDied("its worker has gone"))
+                remote.cancel()
+            if result.done():
+                del self._running[result]
+        return lanes
 
     def submit(self, lane: Hashable, task: Task, accuracy: float, fields: bool) -> Future[Outcome]:
-        """Solve on the lane's worker, or on another if that one is gone."""
-        from distributed.scheduler import KilledWorker
-
+        """Solve on the lane's worker."""
         assert isinstance(lane, tuple)
         self._count += 1
-        remote = self._client.submit(
-            solve_one,
-            task,
-            accuracy,
-            fields,
-            workers=[lane[0]],
-            allow_other_workers=True,
-            pure=False,
-            key=f"softlube-{id(self)}-{self._count}",
-        )
+        key = f"softlube-{self._name}-{self._count}"
+        remote = self._client.submit(solve_one, task, accuracy, fields, workers=[lane[0]], pure=False, key=key)
         result: Future[Outcome] = Future()
 
-        def hand_on(done: Any) -> None:
-            if done.cancelled():
-                lost = "the connection to the cluster was lost; what is finished is kept, run again to take it up"
-                result.set_exception(ConnectionResetError(errno.ECONNRESET, lost, "scheduler"))
-                return
-            error = done.exception()
-            if isinstance(error, KilledWorker):
-                error = WorkerDied("it took several workers down")
-            if error is not None:
-                result.set_exception(error)
-            else:
-                result.set_result(done.result())
+        async def outcome() -> Outcome:
+            return await remote
 
-        remote.add_done_callback(hand_on)
-        result.remote = remote  # type: ignore[attr-defined]  # the cluster forgets a task that nobody holds
+        def hand_on(done: Future[Outcome]) -> None:
+            error = CancelledError() if done.cancelled() else done.exception()
+            if type(error).__name__ == "KilledWorker":
+                error = WorkerDied("it took several workers down")
+            elif isinstance(error, (CancelledError, OSError)):
+                error = _lost("the connection to the cluster was lost")
+            _settle(result, None if error else done.result(), error)
+
+        # Not by a callback of the remote future: Dask has one thread for all of them, and a lost result blocks it.
+        asyncio.run_coroutine_threadsafe(outcome(), self._client.loop.asyncio_loop).add_done_callback(hand_on)
+        self._running[result] = lane, remote  # the cluster forgets a task that nobody holds
         return result
 
     def close(self) -> None:
         """Leave the cluster as it was."""
-        self._client.close()
+        with suppress(OSError, RuntimeError, AssertionError):  # it has gone, or does not answer: there is nothing to leave
+            self._client.close(timeout=CLOSING)
+        _heard_again(self._levels)
+
+
+def _settle(result: Future[Outcome], outcome: Outcome | None = None, error: BaseException | None = None) -> None:
+    """End a future, if it has not ended; two threads may try."""
+    with suppress(InvalidStateError):
+        if error is not None:
+            result.set_exception(error)
+        else:
+            result.set_result(cast(Outcome, outcome))
+
+
+def _lost(what: str) -> ConnectionResetError:
+    return ConnectionResetError(errno.ECONNRESET, f"{what}; what is finished is kept, run again to take it up", "scheduler")
+
+
+def _silenced() -> dict[str, int]:
+    """Have Dask log nothing; returns the levels of its loggers.  It logs every loss, and what matters is an exception here."""
+    known = [name for name in logging.root.manager.loggerDict if name.startswith(("distributed", "tornado"))]
+    levels = {name: logging.getLogger(name).level for name in (*known, "asyncio")}
+    for name in levels:
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    return levels
+
+
+def _heard_again(levels: Mapping[str, int]) -> None:
+    for name, level in levels.items():
+        logging.getLogger(name).setLevel(level)

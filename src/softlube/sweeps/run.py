@@ -10,7 +10,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, wait
 from typing import Any
 
 from softlube.errors import InputError
-from softlube.solvers.processes import MOST_DEATHS, Stretches, WorkerDied
+from softlube.solvers.processes import Stretches, WorkerDied
 from softlube.solvers.progress import Listener, Progress
 from softlube.sweeps.executors import Dask, Executor, Local
 from softlube.sweeps.plan import Plan, make_plan, read_plan
@@ -123,6 +123,7 @@ class _Run:
         order = sorted((key for key in tasks if key not in settled), key=lambda key: tasks[key].place)
         self.pending = Stretches(order)
         self.flying: dict[Future[Outcome], tuple[Hashable, str]] = {}
+        self.landed: list[tuple[Future[Outcome], Hashable, str]] = []
         self.ready: dict[Hashable, str] = {}
         self.deaths: dict[str, int] = {}
         self.theirs: deque[str] = deque()
@@ -130,7 +131,22 @@ class _Run:
         self._report()
 
     def go(self, executor: Executor) -> None:
-        """Solve all that is pending."""
+        """Solve all that is pending.
+
+        Raises
+        ------
+        ConnectionError
+            If the cluster has gone; what had come from it is kept.
+        """
+        try:
+            self._go(executor)
+        except ConnectionError:
+            for future, lane, key in [*self.landed, *((future, *flight) for future, flight in self.flying.items())]:
+                if future.done() and future.exception() is None:
+                    self._land(future, lane, key, executor.most_deaths)
+            raise
+
+    def _go(self, executor: Executor) -> None:
         while self.pending or self.flying or self.ready or self.theirs:
             self._fill(executor)
             for lane, _ in list(self.flying.values()):  # so that no worker waits for the store when it is done
@@ -138,11 +154,11 @@ class _Run:
                     self.ready[lane] = key
             if self.flying:
                 finished = wait(self.flying, timeout=BEAT, return_when=FIRST_COMPLETED).done
-                landed = [(future, *self.flying.pop(future)) for future in finished]
-                if landed:
+                self.landed = [(future, *self.flying.pop(future)) for future in finished]
+                if self.landed:
                     self._fill(executor)
-                for future, lane, key in landed:
-                    self._land(future, lane, key)
+                while self.landed:
+                    self._land(*self.landed.pop(), executor.most_deaths)
             else:
                 time.sleep(BEAT / 2)
             if time.monotonic() - self.renewed > LEASE / 6:
@@ -184,16 +200,16 @@ class _Run:
         key = self.pending.take(lane)
         return key if key is not None else (self.theirs.popleft() if self.theirs else None)
 
-    def _land(self, future: Future[Outcome], lane: Hashable, key: str) -> None:
+    def _land(self, future: Future[Outcome], lane: Hashable, key: str, most_deaths: int) -> None:
         """Keep what came of a task."""
         try:
             outcome = future.result()
         except WorkerDied as error:
             self.deaths[key] = self.deaths.get(key, 0) + 1
-            if self.deaths[key] < MOST_DEATHS:
+            if self.deaths[key] < most_deaths:
                 self.pending.put_back(lane, key)
                 return
-            outcome = Outcome(f"the process that solved it died {MOST_DEATHS} times ({error})")
+            outcome = Outcome(f"the process that solved it died {most_deaths} times ({error})")
         task = self.tasks[key]
         self.store.save(key, task, self.accuracy, solver_version(task.kind), outcome)
         self.done += 1
