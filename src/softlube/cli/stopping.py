@@ -44,14 +44,21 @@ def stoppable(command: Callable[[], int]) -> int:
     known = {getattr(signal, name): name for name in WORDS if hasattr(signal, name)}
     heard = [number for number in known if signal.getsignal(number) not in (signal.SIG_IGN, None)]
 
+    def tell(name: str) -> None:
+        print(f"softlube: {WORDS[name]}", file=sys.stderr, flush=True)
+
     def deaf() -> None:
         for number in heard:
             signal.signal(number, lambda number, frame: None)  # SIG_IGN would complain of one that has just come
 
+    def give_up(number: int) -> None:
+        tell(known[number])
+        os._exit(128 + number)
+
     def stop(number: int, frame: FrameType | None) -> None:
         deaf()
         # Something may swallow the exception, or hang before its end.
-        fallback = threading.Timer(GRACE, os._exit, (128 + number,))
+        fallback = threading.Timer(GRACE, give_up, (number,))
         fallback.daemon = True
         fallback.start()
         raise Stopped(known[number])
@@ -62,6 +69,6 @@ def stoppable(command: Callable[[], int]) -> int:
         code = command()
         deaf()  # the work is done, and the interpreter takes a moment to end
     except Stopped as stopped:
-        print(f"softlube: {WORDS[stopped.name]}", file=sys.stderr)
+        tell(stopped.name)
         return 128 + getattr(signal, stopped.name)
     return code

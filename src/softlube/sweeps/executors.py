@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import asyncio
 import errno
-import gc
 import logging
 import time
 import uuid
 from collections.abc import Hashable, Iterable, Mapping
-from concurrent.futures import CancelledError, Future, InvalidStateError
+from concurrent.futures import CancelledError, Future, InvalidStateError, ThreadPoolExecutor
 from contextlib import suppress
 from typing import Any, Protocol, cast
 
@@ -105,21 +104,20 @@ class Dask:
             from distributed import Client
         except ImportError:
             raise InputError("scheduler: needs the extra dask: pip install 'softlube[dask]'") from None
-        reason = ""
         self._levels = _silenced()
+        refused = _unreachable(address)
+        if refused:
+            _heard_again(self._levels)
+            raise InputError(f"scheduler: cannot reach {address!r} ({refused}); expected an address such as tcp://host:8786")
         try:
             self._client: Any = Client(address, timeout=JOIN_TIMEOUT, set_as_default=False)
-        except (OSError, ValueError) as error:
-            reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        if reason:
-            gc.collect()  # ends the half-made client now; ended while another one starts, it blocks both
+        except Exception as error:
             _heard_again(self._levels)
-            raise InputError(f"scheduler: cannot reach {address!r} ({reason}); expected an address such as tcp://host:8786")
+            raise InputError(f"scheduler: cannot reach {address!r} ({type(error).__name__})") from None
         self._running: dict[Future[Outcome], tuple[Hashable, Any]] = {}
         self._peopled = time.monotonic()
         self._name, self._count = uuid.uuid4().hex, 0
         ours = {solver_version(kind) for kind in kinds}
-        refused = ""
         try:
             self._client.wait_for_workers(1, timeout=JOIN_TIMEOUT)
             others = self._versions(kinds) - ours
@@ -190,6 +188,32 @@ class Dask:
         with suppress(OSError, RuntimeError, AssertionError):  # it has gone, or does not answer: there is nothing to leave
             self._client.close(timeout=CLOSING)
         _heard_again(self._levels)
+
+
+def _unreachable(address: str) -> str:
+    """Why there is no scheduler at an address; empty if there is one.
+
+    Asked before a client is made: one that was made half cannot be ended.
+    """
+    from distributed.core import rpc
+
+    async def ask() -> None:
+        scheduler = rpc(address)
+        try:
+            await asyncio.wait_for(scheduler.identity(), JOIN_TIMEOUT)
+        finally:
+            await scheduler.close_rpc()
+
+    try:
+        with ThreadPoolExecutor(1) as thread:  # this thread may have a loop of its own, as notebooks do
+            thread.submit(asyncio.run, ask()).result()
+    except TimeoutError:
+        return f"no answer within {JOIN_TIMEOUT:.0f} s"
+    except (OSError, ValueError) as error:
+        return str(error).splitlines()[0] if str(error) else type(error).__name__
+    except Exception:  # it may have said anything
+        return "what answers is no scheduler of Dask"
+    return ""
 
 
 def _settle(result: Future[Outcome], outcome: Outcome | None = None, error: BaseException | None = None) -> None:
