@@ -6,17 +6,29 @@ LONGEST = 300
 """Characters of a message."""
 
 
-def one_line(text: str) -> str:
-    """A text that can be sent to any terminal: one line, control characters as escapes, the middle cut out of a long one.
+def printable(text: object) -> str:
+    r"""A text that can be sent to any terminal: control characters as escapes.
 
     Examples
     --------
-    >>> one_line("a\\tb\\x1b[2J")
-    'a\\\\tb\\\\x1b[2J'
+    >>> print(printable("a\tb\x1b[2J"))
+    a\tb\x1b[2J
     """
-    shown = "".join(each if each.isprintable() else each.encode("unicode_escape", "backslashreplace").decode() for each in text)
-    half = (LONGEST - 3) // 2
-    return shown if len(shown) <= LONGEST else f"{shown[:half]} … {shown[-half:]}"
+    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in str(text))
+
+
+def one_line(text: str) -> str:
+    """`printable`, with the middle cut out of a text that is longer than `LONGEST`."""
+    line, half = printable(text), (LONGEST - 3) // 2
+    return line if len(line) <= LONGEST else f"{line[:half]} … {line[-half:]}"
+
+
+def shown(value: object) -> str:
+    """`repr`, or the kind of a thing that has none: lists in lists without end, an integer of thousands of digits."""
+    try:
+        return repr(value)
+    except (ValueError, RecursionError):
+        return f"{type(value).__name__} that is too long to be shown"
 
 
 class SoftlubeError(Exception):

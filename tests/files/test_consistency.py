@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 import softlube
 from softlube.discretization.grid import PolarGrid
 from softlube.files.consistency import check_grid
-from softlube.files.hdf5 import Damaged
 from softlube.files.netcdf import contents, load
+from softlube.files.reading import Damaged
 from softlube.files.writing import netcdf
 
 

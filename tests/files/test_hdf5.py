@@ -1,6 +1,5 @@
 """NetCDF files, sound, damaged and hostile: what is in them, or one line that names the variable, and never an endless loop."""
 
-import os
 import time
 
 import h5py
@@ -10,7 +9,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from softlube.errors import InputError
-from softlube.files.hdf5 import Content, Damaged, Rule, Variable, check, read
+from softlube.files.hdf5 import Content, Rule, Variable, check, read
+from softlube.files.reading import Damaged
 
 
 @pytest.fixture(scope="module")
@@ -67,27 +67,6 @@ def test_what_is_not_read(tmp_path, make, message):
         make(file, str(tmp_path / "raw"))
     with pytest.raises(Damaged, match=message):
         read(tmp_path / "a.nc")
-
-
-def test_what_is_no_file(tmp_path):
-    os.mkfifo(tmp_path / "pipe")
-    with (tmp_path / "large.nc").open("wb") as large:
-        large.truncate(2 * 10**9)
-    for name, message in [
-        ("none", "does not exist"),
-        (".", "is a folder"),
-        ("pipe", "is no file"),
-        ("large.nc", "bytes; files of"),
-    ]:
-        with pytest.raises(Damaged, match=message):
-            read(tmp_path / name)
-    with pytest.raises(Damaged, match="is no name"):
-        read("a\0.nc")
-
-
-def test_an_error_names_the_file():
-    assert str(Damaged("film: missing").about("path: 'a.nc'")) == "path: 'a.nc', film: missing"
-    assert str(Damaged("does not exist").about("path: 'a.nc'")) == "path: 'a.nc' does not exist"
 
 
 @settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Group
 
 from softlube.cli.inputs import FLOAT, WHOLE, takes
+from softlube.errors import printable
 from softlube.physical.inputs import BODIES, Loading
 
 if TYPE_CHECKING:
@@ -130,7 +131,7 @@ def curve(
     _print(place, values, symbol, one, source)
     for path in (csv, plot):
         if path is not None:
-            print(f"Wrote {path}")
+            print(f"Wrote {printable(path)}")
     return 0
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from cyclopts import Group, Parameter
 
 from softlube.cli.inputs import FLOAT, WHOLE, takes
+from softlube.errors import printable
 from softlube.physical.inputs import BODIES
 
 if TYPE_CHECKING:
@@ -156,9 +157,11 @@ def _report(found: Fit, files: list[str]) -> None:
 
     console = Console(highlight=False, soft_wrap=True)
     data = found.model.data
-    console.print(f"{len(data)} rows of {data.source}, beta = {found.beta.min():.4g} to {found.beta.max():.4g}", markup=False)
+    console.print(
+        f"{len(data)} rows of {printable(data.source)}, beta = {found.beta.min():.4g} to {found.beta.max():.4g}", markup=False
+    )
     for notice in data.notices:
-        console.print(f"Note: {notice}.", markup=False)
+        console.print(f"Note: {printable(notice)}.", markup=False)
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for column in ("parameter", "value", f"{100 * found.confidence:g} % interval ({found.interval})", "unit"):
         table.add_column(column, no_wrap=True)
@@ -177,4 +180,4 @@ def _report(found: Fit, files: list[str]) -> None:
         for (force, region), viscosity in found.others.items():
             console.print(f"  {described(force, region)}: {viscosity:.4g} Pa s", markup=False)
     for path in files:
-        console.print(f"Wrote {path}", markup=False)
+        console.print(f"Wrote {printable(path)}", markup=False)

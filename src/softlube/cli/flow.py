@@ -9,6 +9,7 @@ from cyclopts import Parameter
 
 from softlube.cli.echo import echo, understood
 from softlube.cli.inputs import FLOAT, GIVEN, PHYSICAL, one_contact, takes
+from softlube.errors import printable
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 
 
@@ -84,5 +85,5 @@ def flow(
         f"largest shear stress: {sphere:.4g} {units[1]} on the sphere, {substrate:.4g} on the substrate", markup=False
     )
     console.print(f"net flux out of r ≤ 0.9 a over the flux into it: {net_flux(solved, 0.9):.1e}", markup=False)
-    console.print(f"Wrote {plot}", markup=False)
+    console.print(f"Wrote {printable(plot)}", markup=False)
     return 0

@@ -7,6 +7,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from softlube.cli.inputs import WHOLE
+from softlube.errors import printable
 
 
 def reproduce(
@@ -49,7 +50,7 @@ def reproduce(
         console.print(f"    {statement.remark}", markup=False)
     console.print(
         f"{len(result.solutions)} contacts and {len(result.sections)} figures in {result.seconds:.0f} s. "
-        f"Wrote {result.folder / 'report.html'}",
+        f"Wrote {printable(result.folder / 'report.html')}",
         markup=False,
     )
     return 0

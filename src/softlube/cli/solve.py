@@ -10,6 +10,7 @@ from cyclopts import Group, Parameter
 
 from softlube.cli.echo import echo, understood
 from softlube.cli.inputs import FLOAT, PHYSICAL, takes
+from softlube.errors import printable
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 
 if TYPE_CHECKING:
@@ -229,7 +230,7 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
     for doubt in solution.warnings:
         console.print(f"[bold yellow]Warning:[/] {doubt}.")
     for path in files:
-        console.print(f"Wrote {path}", markup=False)
+        console.print(f"Wrote {printable(path)}", markup=False)
 
 
 def _region(solution: Solution) -> str:

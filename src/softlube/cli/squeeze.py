@@ -8,6 +8,7 @@ from cyclopts import Group, Parameter
 
 from softlube.cli.echo import echo, understood
 from softlube.cli.inputs import FLOAT, PHYSICAL, takes
+from softlube.errors import printable
 from softlube.model.motions import Sliding
 from softlube.physical.inputs import BODIES, Approach, StartOfSliding, names_of
 
@@ -113,7 +114,7 @@ def squeeze(
     else:
         remarks, took = [], f"{result.time.size} time steps on {result.angles[-1]} angles in {seconds:.1f} s."
     print(echo(inputs))
-    _report(result, " of sliding" if slides else "", remarks, [took, *(f"Wrote {path}" for path in written)])
+    _report(result, " of sliding" if slides else "", remarks, [took, *(f"Wrote {printable(path)}" for path in written)])
     return 0
 
 

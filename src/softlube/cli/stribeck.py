@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Group, Parameter
 
 from softlube.cli.inputs import FLOAT, WHOLE, takes
+from softlube.errors import printable
 from softlube.physical.inputs import BODIES
 
 if TYPE_CHECKING:
@@ -173,4 +174,4 @@ def _report(table: pandas.DataFrame, what: str, files: list[str]) -> None:
     if beyond:
         console.print(f"{beyond} of {len(table)} speeds are beyond what can be solved (-).")
     for path in files:
-        console.print(f"Wrote {path}", markup=False)
+        console.print(f"Wrote {printable(path)}", markup=False)

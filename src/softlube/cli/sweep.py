@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from softlube.cli.inputs import WHOLE
+from softlube.errors import printable
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -56,7 +57,7 @@ def sweep(
     from softlube.errors import InputError
     from softlube.files.writing import check_destination
     from softlube.sweeps.plan import read_plan
-    from softlube.sweeps.results import check_table, save_table
+    from softlube.sweeps.results import check_folder, check_table, save_table
     from softlube.sweeps.run import sweep as run
 
     # Everything that can be refused is refused before anything is computed or written.
@@ -69,10 +70,10 @@ def sweep(
         if path.resolve() in taken:
             raise InputError(f"{name}: {str(path)!r} is read by the plan, or written already; expected another file")
         taken.add(path.resolve())
-    if fields is not None and not Path(fields).is_dir():
-        check_destination("fields", Path(fields))
+    if fields is not None:
+        check_folder("fields", fields)
     for notice in cases.notices:
-        _say(f"Note: {notice}.")
+        _say(f"Note: {printable(notice)}.")
 
     with Bar("solving") as bar:
         result = run(
@@ -123,4 +124,4 @@ def _report(result: Sweep, warned: int, table: Path, store: Path, written: list[
     if len(reasons) > REASONS:
         console.print(f"  and {len(reasons) - REASONS} other reasons; the table has them.", markup=False)
     files = [str(table), str(store), *([f"{len(written)} NetCDF files in {written[0].parent}"] if written else [])]
-    console.print(f"Wrote {', '.join(files)}", markup=False)
+    console.print(f"Wrote {printable(', '.join(files))}", markup=False)

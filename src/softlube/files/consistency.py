@@ -17,7 +17,7 @@ from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.measure import measure
 from softlube.errors import SoftlubeError
-from softlube.files.hdf5 import Damaged
+from softlube.files.reading import Damaged
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY, Quantity

@@ -9,7 +9,6 @@ from __future__ import annotations
 import atexit
 import json
 import os
-import stat
 import subprocess
 import sys
 import threading
@@ -22,7 +21,7 @@ from typing import IO, Any, Literal, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.errors import InputError
+from softlube.files.reading import Damaged, read_bytes
 
 Array = NDArray[np.floating]
 
@@ -78,15 +77,6 @@ class Rule:
     gaps: bool = False
 
 
-class Damaged(InputError):
-    """A file that cannot be what it says; the text begins with the variable, as in "film: missing", or with a verb."""
-
-    def about(self, name: str) -> InputError:
-        """The error with the name of the file."""
-        of_variable = str(self).split(maxsplit=1)[0].endswith(":")
-        return InputError(f"{name}{',' if of_variable else ''} {self}")
-
-
 def read(source: str | os.PathLike[str] | bytes) -> Content:
     """What is in a NetCDF 4 file.
 
@@ -100,7 +90,7 @@ def read(source: str | os.PathLike[str] | bytes) -> Content:
     Damaged
         If it is missing, too large, no such file, damaged, or has a part in another file.
     """
-    image = source if isinstance(source, bytes) else _bytes(source)
+    image = source if isinstance(source, bytes) else read_bytes(source, LARGEST)
     with _LOCK:
         about, values = _CHILD.ask(image)
     if "refused" in about:
@@ -150,24 +140,6 @@ def check(content: Content, schema: Mapping[str, Rule]) -> None:
 
 def _shape(shape: tuple[int, ...]) -> str:
     return " × ".join(map(str, shape)) or "of one number"
-
-
-def _bytes(path: str | os.PathLike[str]) -> bytes:
-    try:
-        status = os.stat(path)
-        regular, small = stat.S_ISREG(status.st_mode), status.st_size <= LARGEST
-        image = Path(path).read_bytes() if regular and small else b""
-    except FileNotFoundError:
-        raise Damaged("does not exist") from None
-    except OSError as error:
-        raise Damaged(f"cannot be read ({error.strerror})") from None
-    except ValueError:  # NUL
-        raise Damaged("is no name of a file") from None
-    if not regular:
-        raise Damaged("is a folder" if stat.S_ISDIR(status.st_mode) else "is no file")
-    if not small:
-        raise Damaged(f"has {status.st_size:.3g} bytes; files of softlube have {LARGEST:g} at most")
-    return image
 
 
 class _Child:

@@ -16,7 +16,8 @@ from softlube.discretization.fields import Chart, Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError
 from softlube.files.consistency import check_consistency, check_grid
-from softlube.files.hdf5 import Content, Damaged, Rule, Variable, check, read
+from softlube.files.hdf5 import Content, Rule, Variable, check, read
+from softlube.files.reading import Damaged
 from softlube.files.writing import check_destination, netcdf, write_whole
 from softlube.model.problem import Problem
 from softlube.model.quantities import FIELDS, QUANTITIES, STEADY, Quantity

@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
-from softlube.model.inputs import NUMBER, Input
+from softlube.files.reading import Damaged, read_bytes
+from softlube.model.inputs import GREATEST, LEAST, NUMBER, Input
 from softlube.model.units import THOUSANDS, read_number
 from softlube.physical.inputs import declared
 
@@ -36,6 +37,10 @@ NUMBERS = {
 """Columns without unit that are no input of an experiment."""
 FEW = 5
 """Lines named one by one in a notice."""
+LARGEST, MOST_ROWS = 16_000_000, 200_000
+"""Bytes and rows of a table that is read: a hundred times what a rig's averages or a history's times need."""
+LONGEST_HEADER = 200
+"""Characters of one column's header."""
 
 _MINUS = str.maketrans("−–", "--")
 _UNUSUAL = re.compile(r"[^0-9eE+.\s-]")
@@ -115,7 +120,7 @@ def read_table(
     if not number:
         raise InputError(f"{path.name}, line 1: the file is empty; expected a header such as 'load [mN], speed [mm/s]'")
     separator = next((mark for mark in ";\t" if mark in first), ",")
-    header = [cell.strip() for cell in next(csv.reader([first], delimiter=separator, skipinitialspace=True))]
+    header = [cell.strip() for cell in _cells(path, number, first, separator)]
     rows, where, repeated_headers = _rows(path, lines, separator, header)
     if not rows:
         raise InputError(f"{path.name}, line {number}: there are no rows below the header")
@@ -132,7 +137,7 @@ def read_table(
     lines_array = np.array(where)
     values: dict[str, Array] = {}
     for name, (index, factor) in found.items():
-        values[name] = factor * _numbers(path, header[index], name, by_column[index], where, comma, known[name].signed)
+        values[name] = _numbers(path, header[index], name, by_column[index], where, comma, factor, known[name].signed)
     keep = np.ones(lines_array.size, dtype=bool)
     for name in required:
         gaps = np.isnan(values[name])
@@ -150,10 +155,10 @@ def read_table(
 def header_names(path: str | os.PathLike[str]) -> list[str]:
     """Names of a file's columns, without units, as `read_table` understands them."""
     path = Path(path)
-    for _, first in _content(path, _text(path)):
+    for number, first in _content(path, _text(path)):
         if not re.fullmatch(r"sep=.", first.strip()):
             separator = next((mark for mark in ";\t" if mark in first), ",")
-            return [_name_and_unit(cell)[0] for cell in next(csv.reader([first], delimiter=separator, skipinitialspace=True))]
+            return [_name_and_unit(cell)[0] for cell in _cells(path, number, first, separator)]
     return []
 
 
@@ -182,11 +187,9 @@ def given_as(name: str) -> Iterator[None]:
 
 def _text(path: Path) -> str:
     try:
-        raw = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"{path}: the file does not exist") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+        raw = read_bytes(path, LARGEST)
+    except Damaged as error:
+        raise InputError(f"{path}: the file {error}") from None
     encoding = "utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
     try:
         text = raw.decode(encoding)
@@ -207,6 +210,15 @@ def _content(path: Path, text: str) -> Iterator[tuple[int, str]]:
             yield number, line
 
 
+def _cells(path: Path, number: int, line: str, separator: str) -> list[str]:
+    if '"' not in line:
+        return [cell.lstrip() for cell in line.split(separator)]
+    try:
+        return next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+    except csv.Error as error:
+        raise InputError(f"{path.name}, line {number}: no row of a table ({error})") from None
+
+
 def _rows(
     path: Path, lines: Iterator[tuple[int, str]], separator: str, header: list[str]
 ) -> tuple[list[list[str]], list[int], list[int]]:
@@ -215,9 +227,7 @@ def _rows(
     again: list[int] = []
     width = len(header)
     for number, line in lines:
-        cells = (
-            line.split(separator) if '"' not in line else next(csv.reader([line], delimiter=separator, skipinitialspace=True))
-        )
+        cells = _cells(path, number, line, separator)
         if len(cells) != width:
             while len(cells) > width and not cells[-1].strip():  # separators at the end of a line
                 cells.pop()
@@ -228,13 +238,15 @@ def _rows(
         if cells[0].strip() == header[0] and [cell.strip() for cell in cells] == header:
             again.append(number)
             continue
+        if len(rows) == MOST_ROWS:
+            raise InputError(f"{path.name}, line {number}: more than {MOST_ROWS} rows; thin the table out")
         rows.append(cells)
         where.append(number)
     return rows, where, again
 
 
 def _name_and_unit(cell: str) -> tuple[str, str | None]:
-    match = _HEADER.match(cell.strip())
+    match = _HEADER.match(cell.strip()) if len(cell) <= LONGEST_HEADER else None
     if match is None:
         return cell.strip(), None
     unit = next((match[group] for group in ("square", "round", "slash") if match[group] is not None), None)
@@ -328,7 +340,17 @@ def _decimal_comma(
     return True
 
 
-def _numbers(path: Path, title: str, name: str, cells: Sequence[str], where: Sequence[int], comma: bool, signed: bool) -> Array:
+def _numbers(
+    path: Path,
+    title: str,
+    name: str,
+    cells: Sequence[str],
+    where: Sequence[int],
+    comma: bool,
+    factor: float,
+    signed: bool,
+) -> Array:
+    """Cells of a column, in SI."""
     pointed = [cell.replace(",", ".") for cell in cells] if comma else cells
     try:
         if _UNUSUAL.search("".join(pointed)):
@@ -336,14 +358,15 @@ def _numbers(path: Path, title: str, name: str, cells: Sequence[str], where: Seq
         values = np.array(list(map(float, pointed)))
     except ValueError:
         values = np.array([_number(path, title, name, cell, where[i], comma) for i, cell in enumerate(cells)])
-    impossible = np.isinf(values)
+    size = np.abs(values)
+    impossible = (size > GREATEST / factor) | ((size < LEAST / factor) & (size != 0))
     if not signed:
         impossible |= values <= 0
     if impossible.any():
         row = int(np.argmax(impossible))
         kind = "a finite number" if signed else "a positive, finite number"
         raise InputError(f"{path.name}, line {where[row]}: {name}: expected {kind} under {title!r}, got {cells[row].strip()!r}")
-    return values
+    return values * factor
 
 
 def _number(path: Path, title: str, name: str, cell: str, line: int, comma: bool) -> float:

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from softlube.files.hdf5 import Damaged, Rule, check, read
+from softlube.files.hdf5 import Rule, check, read
+from softlube.files.reading import Damaged
 from softlube.files.writing import check_destination, netcdf, write_whole
 from softlube.model import liquids as liquids
 from softlube.model import substrates

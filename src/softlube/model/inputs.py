@@ -9,10 +9,12 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple, SupportsFloat
 
-from softlube.errors import InputError
+from softlube.errors import InputError, shown
 
 REQUIRED: Any = object()
 """Default of an input that must be given."""
+LEAST, GREATEST = 1e-30, 1e30
+"""Magnitudes in SI that an input may have, zero apart: beyond all that is measured, and products of some of them are finite."""
 
 
 class Dimension(NamedTuple):
@@ -154,16 +156,19 @@ class Input:
         name = name or self.name
         if self.dimension is None:
             if not isinstance(value, str) or (self.choices and value not in self.choices):
-                raise InputError(f"{name}: expected {self.expected}, got {value!r}")
+                raise InputError(f"{name}: expected {self.expected}, got {shown(value)}")
             return value
         number = read_quantity(name, value, self.dimension.unit, self.expected)
         if self.between is not None:
             low, high = self.between
             if not low <= number <= high:
-                raise InputError(f"{name}: expected a number between {low:g} and {high:g}, got {value!r}")
+                raise InputError(f"{name}: expected a number between {low:g} and {high:g}, got {shown(value)}")
         elif not math.isfinite(number) or (number <= 0 and not self.signed):
             sign = "" if self.signed else "positive, "
-            raise InputError(f"{name}: expected a {sign}finite quantity, {self.expected}; got {value!s}")
+            raise InputError(f"{name}: expected a {sign}finite quantity, {self.expected}; got {shown(value)}")
+        elif number and not LEAST <= abs(number) <= GREATEST:
+            size = f"{LEAST:g} to {GREATEST:g} {self.unit}".strip()
+            raise InputError(f"{name}: expected a magnitude from {size}; got {shown(value)}")
         return number
 
     def read_all(self, values: Sequence[object]) -> list[Any]:
@@ -292,8 +297,11 @@ def read_quantity(name: str, value: object, unit: str, expected: str) -> float:
         except Exception as error:
             if type(error).__name__ == "DimensionalityError":
                 raise InputError(f"{name}: {value!s} has the wrong dimension; expected {expected}") from None
-            raise InputError(f"{name}: cannot read {value!r}; expected {expected}") from None
+            raise InputError(f"{name}: cannot read {shown(value)}; expected {expected}") from None
     kind = getattr(getattr(value, "dtype", None), "kind", "f")  # an array's or a scalar's of NumPy
     if not isinstance(value, SupportsFloat) or isinstance(value, bool) or kind not in "iuf" or getattr(value, "ndim", 0):
-        raise InputError(f"{name}: cannot read {value!r}; expected {expected}")
-    return float(value)
+        raise InputError(f"{name}: cannot read {shown(value)}; expected {expected}")
+    try:
+        return float(value)
+    except OverflowError:
+        raise InputError(f"{name}: the number is too large; expected {expected}") from None

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
-from softlube.errors import InputError
+from softlube.errors import InputError, shown
 from softlube.model import liquids as liquids
 from softlube.model import substrates
 from softlube.model.liquids import Liquid, NewtonianLaw
@@ -61,10 +61,10 @@ class Problem:
         value = getattr(self, name)
         try:
             number = float(value)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             number = math.nan
         if isinstance(value, (bool, str)) or not (math.isfinite(number) and number > 0):
-            raise InputError(f"{name}: expected a positive, finite number, got {value!r}")
+            raise InputError(f"{name}: expected a positive, finite number, got {shown(value)}")
         object.__setattr__(self, name, number)
         if self.cavitation not in get_args(Cavitation):
             raise InputError(f"cavitation: expected 'reynolds' or 'none', got {self.cavitation!r}")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from softlube.errors import printable
 from softlube.experiments.friction_model import PAPER_FIT
 from softlube.files.writing import write_whole
 from softlube.physical.roughness import FULL_FILM
@@ -58,7 +59,8 @@ def plot_fit(found: Fit, path: str | os.PathLike[str] | None = None) -> Figure:
         _collapse(collapse, found)
         _residuals(residuals, found)
         estimate = ", ".join(f"{name.replace('_', ' ')} = {e.value:.3g} {e.unit}" for name, e in found.estimates.items())
-        figure.suptitle(f"{found.model.data.source}: {estimate}", fontsize=8)
+        source = printable(found.model.data.source)  # a file may be called "$x$.csv"
+        figure.suptitle(f"{source}: {estimate}", fontsize=8, parse_math=False)
         return _write(figure, path)
 
 

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
-from softlube.errors import InputError
+from softlube.errors import InputError, shown
 from softlube.files.histories import read_history
 from softlube.model import liquids, substrates
 from softlube.model.motions import Sliding
@@ -194,7 +194,7 @@ class Approaches:
         accuracy = usual if given is None else given
         if isinstance(accuracy, bool) or not isinstance(accuracy, (int, float)) or not finest <= accuracy <= coarsest:
             sort = self.what if ladder is squeezing else "a start of sliding"
-            raise InputError(f"accuracy: expected a number from {finest:g} to {coarsest:g} for {sort}, got {accuracy!r}")
+            raise InputError(f"accuracy: expected a number from {finest:g} to {coarsest:g} for {sort}, got {shown(accuracy)}")
         return float(accuracy)
 
     def prepare(self, inputs: Mapping[str, Value]) -> None:

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from softlube.errors import InputError
+from softlube.errors import InputError, shown
 from softlube.files.tables import read_table
 from softlube.physical.inputs import declared
 from softlube.sweeps.tasks import Value
@@ -49,7 +49,7 @@ def read_axes(parameters: Mapping[str, Any], folder: Path) -> tuple[list[Axis], 
             if unknown:
                 raise InputError(f"{name}: {unknown.pop()!r} is not known for a column; expected csv and column")
             if not isinstance(given["csv"], (str, os.PathLike)):
-                raise InputError(f"{name}: csv: expected the name of a file, got {given['csv']!r}")
+                raise InputError(f"{name}: csv: expected the name of a file, got {shown(given['csv'])}")
             by_file.setdefault(folder / given["csv"], {})[name] = str(given.get("column", name))
         else:
             values = _values(name, given)
@@ -90,15 +90,15 @@ def _is_text(name: str) -> bool:
 def _value(name: str, given: Any) -> Value:
     if _is_text(name):
         if not isinstance(given, str):
-            raise InputError(f"{name}: expected a text, got {given!r}")
+            raise InputError(f"{name}: expected a text, got {shown(given)}")
         return given
     if name in DIMENSIONLESS:
         try:
             number = float(given)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             number = math.nan
         if isinstance(given, (bool, str)) or not (math.isfinite(number) and number > 0):
-            raise InputError(f"{name}: expected a positive, finite number, got {given!r}")
+            raise InputError(f"{name}: expected a positive, finite number, got {shown(given)}")
         return number
     return declared()[name].read(given)
 
@@ -110,9 +110,9 @@ def _range(name: str, given: Mapping[str, Any]) -> list[Value]:
         raise InputError(f"{name}: expected a value, a list, a column or a range such as {expected}")
     count, spacing = given["count"], given.get("spacing", "log")
     if isinstance(count, bool) or not isinstance(count, int) or not 2 <= count <= MOST_CASES:
-        raise InputError(f"{name}: count: expected a whole number from 2 to {MOST_CASES}, got {count!r}")
-    if spacing not in SPACINGS:
-        raise InputError(f"{name}: spacing: expected 'log' or 'linear', got {spacing!r}")
+        raise InputError(f"{name}: count: expected a whole number from 2 to {MOST_CASES}, got {shown(count)}")
+    if not isinstance(spacing, str) or spacing not in SPACINGS:
+        raise InputError(f"{name}: spacing: expected 'log' or 'linear', got {shown(spacing)}")
     low, high = map(float, _values(name, [given["from"], given["to"]]))
     if spacing == "log" and low * high <= 0:
         raise InputError(f'{name}: from, to: expected values of one sign, or spacing = "linear"; got {low:g} and {high:g}')

@@ -11,12 +11,15 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from softlube.errors import InputError
+from softlube.errors import InputError, shown
+from softlube.files.reading import Damaged, read_bytes
 from softlube.sweeps.axes import COMBINATIONS, combined, read_axes
 from softlube.sweeps.tasks import Case, Kind, Value
 
 MOTIONS = {"steady": "steady:Steady", "squeeze": "approach:Approaches"}
 """How the sphere moves, and the room that has such cases.  Imported when wanted: a worker needs one of them at most."""
+LARGEST = 1_000_000
+"""Bytes of a plan: ten for each case that it may have, and columns of many values stand in a CSV file."""
 SETTINGS = ("motion", "combine", "accuracy")
 
 
@@ -81,7 +84,7 @@ def make_plan(
     """
     kind = _kind(motion, folder)
     if combine not in COMBINATIONS:
-        raise InputError(f"combine: expected 'product' or 'zip', got {combine!r}")
+        raise InputError(f"combine: expected 'product' or 'zip', got {shown(combine)}")
     for name in parameters:
         if name not in kind.parameters:
             raise InputError(f"{name}: no parameter of {kind.what}{_hint(name, kind, folder)}")
@@ -103,7 +106,7 @@ def make_plan(
 
 def _kind(motion: object, folder: str | os.PathLike[str]) -> Kind:
     if not isinstance(motion, str) or motion not in MOTIONS:
-        raise InputError(f"motion: expected {' or '.join(map(repr, MOTIONS))}, got {motion!r}")
+        raise InputError(f"motion: expected {' or '.join(map(repr, MOTIONS))}, got {shown(motion)}")
     module, name = MOTIONS[motion].split(":")
     return getattr(import_module(f"softlube.sweeps.{module}"), name)(Path(folder))
 
@@ -127,17 +130,17 @@ def read_plan(path: str | os.PathLike[str]) -> Plan:
     """
     path = Path(path)
     try:
-        text = path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        raise InputError(f"plan: {str(path)!r} does not exist") from None
-    except OSError as error:
-        raise InputError(f"plan: {str(path)!r} cannot be read ({error.strerror})") from None
+        text = read_bytes(path, LARGEST).decode("utf-8-sig")
+    except Damaged as error:
+        raise error.about(f"plan: {os.fspath(path)!r}") from None
     except UnicodeDecodeError:
         raise InputError(f"{path.name}: not UTF-8 text; expected a plan in TOML") from None
     try:
         content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path.name}, {_place(str(error), text)}: no TOML: {str(error).split(' (at')[0]}") from None
+    except (ValueError, RecursionError):  # thousands of digits, hundreds of brackets
+        raise InputError(f"{path.name}: not read: a number is too long, or lists stand in lists without end") from None
     settings = content.pop("sweep", {})
     parameters = content.pop("parameters", {})
     if content:

@@ -81,6 +81,21 @@ def check_table(name: str, path: str | os.PathLike[str]) -> Path:
     return checked
 
 
+def check_folder(name: str, path: str | os.PathLike[str]) -> Path:
+    """A folder that files can be written to: one that exists, or a name for it in one that exists.
+
+    Raises
+    ------
+    InputError
+        If there is a file of that name, the folder above does not exist, or nothing can be written.
+    """
+    path = Path(path)
+    if path.exists() and not path.is_dir():
+        raise InputError(f"{name}: {os.fspath(path)!r} is a file; expected the name of a folder")
+    check_destination(name, path / "case-00001.nc" if path.is_dir() else path)
+    return path
+
+
 def to_table(result: Sweep) -> pandas.DataFrame:
     """One row a case, in the plan's order.
 
@@ -126,8 +141,8 @@ def write_fields(result: Sweep, folder: str | os.PathLike[str]) -> list[Path]:
     InputError
         If the folder cannot be made, or the fields were not kept.
     """
-    folder = Path(folder)
-    check_destination("fields", folder / "case-00001.nc") if folder.is_dir() else folder.mkdir()
+    folder = check_folder("fields", folder)
+    folder.mkdir(exist_ok=True)
     written = []
     for number, (case, key) in enumerate(zip(result.plan.cases, result.keys, strict=True), 1):
         outcome = result.outcomes[key]

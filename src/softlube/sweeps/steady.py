@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
-from softlube.errors import InputError, ValidityWarning
+from softlube.errors import InputError, ValidityWarning, shown
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity, header
 from softlube.physical.contact import Contact
@@ -144,7 +144,7 @@ class Steady:
         """See `softlube.solve`."""
         accuracy = 1e-3 if given is None else given
         if isinstance(accuracy, bool) or not isinstance(accuracy, (int, float)) or not 0 < accuracy <= 0.1:
-            raise InputError(f"accuracy: expected a number up to 0.1 such as 1e-3, got {accuracy!r}")
+            raise InputError(f"accuracy: expected a number up to 0.1 such as 1e-3, got {shown(accuracy)}")
         return float(accuracy)
 
     def prepare(self, inputs: Mapping[str, Value]) -> None:
