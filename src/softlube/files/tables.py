@@ -37,7 +37,7 @@ NUMBERS = {
 """Columns without unit that are no input of an experiment."""
 FEW = 5
 """Lines named one by one in a notice."""
-LARGEST, MOST_ROWS = 16_000_000, 200_000
+LARGEST, MOST_ROWS = 32_000_000, 1_000_000
 """Bytes and rows of a table that is read: a hundred times what a rig's averages or a history's times need."""
 LONGEST_HEADER = 200
 """Characters of one column's header."""
