@@ -68,7 +68,9 @@ KINDS = {
     "command": Kind("campaign_readers", "command", 300, 60),
     "contacts": Kind("campaign_contacts", "contact", 2000, 90),
 }
-"""Kinds of input.  Faults of disk, processes and workers are kinds of `campaign_faults`, added below."""
+"""Kinds of input.  Faults of disk, processes and workers are kinds of the module `campaign_faults`, where that is there."""
+with suppress(ModuleNotFoundError):
+    KINDS |= importlib.import_module("campaign_faults").KINDS
 
 
 @dataclass

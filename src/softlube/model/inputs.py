@@ -165,9 +165,8 @@ class Input:
                 raise InputError(f"{name}: expected a number between {low:g} and {high:g}, got {shown(value)}")
         elif not math.isfinite(number) or (number <= 0 and not self.signed):
             sign = "" if self.signed else "positive, "
-            raise InputError(
-                f"{name}: expected a {sign}finite quantity, {self.expected}; got {value if isinstance(value, str) else shown(value)}"
-            )
+            got = value if isinstance(value, str) else shown(value)
+            raise InputError(f"{name}: expected a {sign}finite quantity, {self.expected}; got {got}")
         elif number and not LEAST <= abs(number) <= GREATEST:
             size = f"{LEAST:g} to {GREATEST:g} {self.unit}".strip()
             raise InputError(f"{name}: expected a magnitude from {size}; got {shown(value)}")
