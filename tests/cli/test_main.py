@@ -41,3 +41,32 @@ def test_json_of_the_solved_contact_is_untouched(capsys):
     """The new commands leave the old one as it was."""
     assert main(["solve", "--beta", "100", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["beta"] == 100
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["solve", "--beta", "1_000"], "--beta: cannot read '1_000': write it without signs between thousands, '1000'"),
+        (["solve", "--beta", "inf"], "--beta: cannot read 'inf': expected a finite number"),
+        (["solve", "--beta", "1e999"], "--beta: cannot read '1e999': the number is too large"),
+        (["stribeck", "--slide-to-roll", "1,000"], "--slide-to-roll: cannot read '1,000': the comma may part"),
+        (["stribeck", "--points", "1_0"], "--points: cannot read '1_0': expected a whole number"),
+        (["solve", "--radius", "2\x1b[2J mm"], r"--radius: cannot read '2\x1b[2J mm'"),
+        (["\x1b[2J"], r"\x1b[2J"),
+        (["solve", "--\x1b", "3"], r"--\x1b"),
+        (["solve", "--radius", "9" * 5000], "--radius: cannot read a text of 5000 characters"),
+        (["flow", "--solution", "a\x1b.nc", "--plot", "a.png"], r"--solution: 'a\x1b.nc' does not exist"),
+    ],
+)
+def test_a_refusal_is_one_line(capsys, arguments, message):
+    assert main(arguments) == 2
+    said = capsys.readouterr().err
+    assert message in said
+    assert said.endswith("\n")
+    assert said[:-1].isprintable()
+    assert len(said) < 320
+
+
+def test_a_decimal_comma_is_a_decimal_sign(capsys):
+    assert main(["solve", "--fast", "--json", "--beta", "10,5"]) == 0
+    assert json.loads(capsys.readouterr().out)["beta"] == 10.5

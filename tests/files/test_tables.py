@@ -1,6 +1,8 @@
 """CSV files as rigs and spreadsheets write them: the right numbers, or a refusal with file, line and column."""
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from softlube import InputError
 from softlube.files.tables import given_as, one_of, read_table
@@ -105,3 +107,54 @@ def test_cells_with_one_meaning(tmp_path, content, load):
 def test_cells_and_units_with_several_meanings_are_refused(tmp_path, content, message):
     with pytest.raises(InputError, match=message):
         read_table(write(tmp_path, content), ["load", "speed"])
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("load [1e300 N], speed [m/s]\n1,1\n", "line 1: load cannot be in '1e300 N'"),
+        ("load [MN], speed [m/s]\n1e300,1\n", "line 2: load: expected a positive, finite number"),
+        ("load [N], speed [m/s]\n1,1e-320\n", "line 2: speed: expected a positive, finite number"),
+        ("load [N], speed [m/s]\n1,2\0\n", "line 2: not a text file"),
+        (f"load [N], speed [m/s]\n1,{'9' * 5000}\n", "line 2: speed: expected a positive, finite number"),
+        (f'load [N], speed [m/s]\n1,"{"9" * 200_000}"\n', "line 2: no row of a table"),
+        (f"a{' ' * 100_000}b [N], speed [m/s]\n1,2\n", "line 1: no column load"),
+        ("load [N], speed [m/s]\n1,2\n1,\x1b[2J\n", "line 3: speed: '.x1b.2J' under"),
+        (f"load [N], speed [m/s]\n{'1,1' * 40}\n", "line 2: 41 cells under 2 columns"),
+    ],
+)
+def test_hostile_tables_end_in_one_line(tmp_path, content, message):
+    with pytest.raises(InputError, match=message) as caught:
+        read_table(write(tmp_path, content), ["load", "speed"])
+    assert len(str(caught.value)) <= 300
+    assert str(caught.value).isprintable()
+
+
+def test_more_than_any_rig_writes(tmp_path, monkeypatch):
+    path = write(tmp_path, "load [N]\n" + "1\n" * 12)
+    monkeypatch.setattr("softlube.files.tables.MOST_ROWS", 10)
+    with pytest.raises(InputError, match="line 12: more than 10 rows"):
+        read_table(path, ["load"])
+    monkeypatch.setattr("softlube.files.tables.LARGEST", 20)
+    with pytest.raises(InputError, match="the file has 33 bytes; softlube reads 20 at most"):
+        read_table(path, ["load"])
+
+
+SOUND = "load [mN], speed [mm/s]\n1.5, 2\n2.5, 3\n"
+
+
+@settings(max_examples=200, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    place=st.integers(0, len(SOUND)),
+    cut=st.integers(0, 9),
+    put=st.text(max_size=9) | st.text("0123456789,;.e+-[]\"' \t\n", max_size=9),
+)
+def test_a_table_is_read_or_refused_in_one_line(tmp_path, place, cut, put):
+    path, said = write(tmp_path, (SOUND[:place] + put + SOUND[place + cut :]).encode("utf-8", "surrogatepass")), ""
+    try:
+        columns = read_table(path, ["load", "speed"]).columns
+        assert all(0 < value < 1e30 for column in columns.values() for value in column)
+    except InputError as error:
+        said = str(error)
+    assert len(said) <= 300
+    assert not said or said.isprintable()

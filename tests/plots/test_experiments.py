@@ -41,6 +41,12 @@ def test_a_fit_is_drawn_with_its_data(found, tmp_path):
     assert "viscosity" in figure.get_suptitle()
 
 
+def test_the_name_of_a_file_is_no_formula(found, tmp_path):
+    model = replace(found.model, data=replace(found.model.data, source="$\\frac{a$ \x1b.csv"))
+    figure = plot_fit(replace(found, model=model), tmp_path / "fit.png")
+    assert figure.get_suptitle().startswith("$\\frac{a$ \\x1b.csv: ")
+
+
 def test_large_data_are_thinned():
     assert len(range(MOST_DOTS)[_some(MOST_DOTS)]) == MOST_DOTS
     assert len(range(10 * MOST_DOTS)[_some(10 * MOST_DOTS)]) == MOST_DOTS

@@ -1,6 +1,8 @@
 """Plans: the cases they describe, and plans that describe none."""
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 import softlube
 from softlube.sweeps.plan import make_plan, read_plan
@@ -98,3 +100,62 @@ def test_absent_and_unreadable_plans(tmp_path):
     (tmp_path / "latin.toml").write_bytes("# Größe".encode("latin-1"))
     with pytest.raises(softlube.InputError, match="not UTF-8"):
         read_plan(tmp_path / "latin.toml")
+
+
+VALUES = [
+    "nan",
+    "1e999",
+    "9" * 5000,
+    "9" * 4000,
+    "[" * 900 + "]" * 900,
+    "[" * 300 + "]" * 300,
+    '{ csv = "a\\u0000b" }',
+    '{ csv = "/dev/zero" }',
+    '{ csv = "." }',
+    '{ from = 1.0, to = 2.0, count = 3, spacing = ["log"] }',
+    '{ from = "1 m", to = [1], count = 3 }',
+    "{ from = -1e308, to = 1e308, count = 9, spacing = 'linear' }",
+    '"\\u001b[2J"',
+    "1979-05-27",
+]
+
+
+@pytest.mark.parametrize("value", VALUES)
+@pytest.mark.parametrize("name", ["speed", "cavitation", "beta", "history", "combine"])
+def test_hostile_values_end_in_one_line(tmp_path, name, value):
+    path = tmp_path / "plan.toml"
+    place, text = ("[sweep]\n", TOML) if name == "combine" else ("[parameters]\n", TOML.replace('speed = "0.1 mm/s"\n', ""))
+    path.write_text(text.replace(place, f"{place}{name} = {value}\n"))
+    with pytest.raises(softlube.InputError) as caught:
+        read_plan(path)
+    assert len(str(caught.value)) <= 300
+    assert str(caught.value).isprintable()
+
+
+def test_what_is_no_plan(tmp_path):
+    (tmp_path / "long.toml").write_text("#" * 1_000_001)
+    for name, message in [
+        ("long.toml", "has 1e.06 bytes"),
+        (".", "is a folder"),
+        ("/dev/zero", "is a device"),
+        ("a\0", "no name"),
+    ]:
+        with pytest.raises(softlube.InputError, match=f"^plan: .* {message}"):
+            read_plan(tmp_path / name)
+
+
+@settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    place=st.integers(0, len(TOML)),
+    cut=st.integers(0, 20),
+    put=st.text(max_size=20) | st.sampled_from(VALUES) | st.text('0123456789"[]{}=,.# \n', max_size=9),
+)
+def test_a_plan_is_read_or_refused_in_one_line(tmp_path, place, cut, put):
+    path, said = tmp_path / "plan.toml", ""
+    path.write_bytes((TOML[:place] + put + TOML[place + cut :]).encode("utf-8", "surrogatepass"))
+    try:
+        assert read_plan(path).cases
+    except softlube.InputError as error:
+        said = str(error)
+    assert len(said) <= 300
+    assert not said or said.isprintable()

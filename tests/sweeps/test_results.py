@@ -4,7 +4,7 @@ import pandas as pd
 import pytest
 
 import softlube
-from softlube.sweeps.results import check_table
+from softlube.sweeps.results import check_folder, check_table
 
 BALL = {
     "radius": "2 mm",
@@ -80,3 +80,13 @@ def test_where_a_table_may_go(tmp_path, monkeypatch):
 def test_failed_cases_have_no_file(tmp_path):
     result = softlube.sweep({"beta": [1e12, 100.0]}, accuracy=ROUGH, fields=True, workers=1)
     assert [path.name for path in result.save_fields(tmp_path / "fields")] == ["case-00002.nc"]
+
+
+def test_a_folder_for_fields(tmp_path):
+    (tmp_path / "file").write_text("")
+    assert check_folder("fields", tmp_path) == tmp_path
+    assert not check_folder("fields", tmp_path / "new").exists()
+    with pytest.raises(softlube.InputError, match=r"^fields: '.*file' is a file; expected the name of a folder"):
+        check_folder("fields", tmp_path / "file")
+    with pytest.raises(softlube.InputError, match=r"^fields: the folder '.*none' does not exist"):
+        check_folder("fields", tmp_path / "none" / "new")
