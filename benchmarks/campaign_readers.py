@@ -151,7 +151,7 @@ def text(seed: int, number: int, folder: Path) -> Verdict:
     known = rng.choice([each for each in declared().values() if each.unit in UNITS])
     unit, factor = rng.choice(list(UNITS[known.unit].items()))
     digits = rng.choice(["2", "0.5", "1e-3", "12.75", ".25", "3,5", "-1", "0", "7E2"])
-    made = f"{digits}{rng.choice([' ', '', '  '])}{unit}"
+    made = f"{digits}{' ' if unit[0] == '1' else rng.choice([' ', '', '  '])}{unit}"
     sound, kind = float(digits.replace(",", ".")) * factor, rng.random()
     given: Any = made
     if kind > 0.85:
@@ -166,7 +166,7 @@ def text(seed: int, number: int, folder: Path) -> Verdict:
         if isinstance(given, str) and given != made:
             # Read once more in another way: the longest number in front, and a unit known by hand.
             front = re.match(r"\s*([+\-−–]?[0-9]*[.,]?[0-9]*(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*$", given)
-            again = UNITS[known.unit].get(front[2]) if front else None
+            again = UNITS[known.unit].get(front[2]) if front and "1/" not in given else None  # 21/MPa: 21 over MPa
             expected = (
                 None if again is None or front is None else float(re.sub("[−–]", "-", front[1]).replace(",", ".")) * again
             )

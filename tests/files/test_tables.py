@@ -120,6 +120,7 @@ def test_cells_and_units_with_several_meanings_are_refused(tmp_path, content, me
         (f'load [N], speed [m/s]\n1,"{"9" * 200_000}"\n', "line 2: no row of a table"),
         (f"a{' ' * 100_000}b [N], speed [m/s]\n1,2\n", "line 1: no column load"),
         ("load [N], speed [m/s]\n1,2\n1,\x1b[2J\n", "line 3: speed: '.x1b.2J' under"),
+        ("a," * 5_000_000, "line 1: more than 1000 columns"),
         (f"load [N], speed [m/s]\n{'1,1' * 40}\n", "line 2: 41 cells under 2 columns"),
     ],
 )

@@ -133,6 +133,9 @@ def test_hostile_values_end_in_one_line(tmp_path, name, value):
 
 
 def test_what_is_no_plan(tmp_path):
+    (tmp_path / "dots.toml").write_text("a = 1\n" + ".".join("a" * 400_000) + " = 1\n")
+    with pytest.raises(softlube.InputError, match=r"dots.toml, line 2: a key or a value is longer"):
+        read_plan(tmp_path / "dots.toml")
     (tmp_path / "long.toml").write_text("#" * 1_000_001)
     for name, message in [
         ("long.toml", "has 1e.06 bytes"),

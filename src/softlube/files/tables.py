@@ -39,8 +39,8 @@ FEW = 5
 """Lines named one by one in a notice."""
 LARGEST, MOST_ROWS = 32_000_000, 1_000_000
 """Bytes and rows of a table that is read: a hundred times what a rig's averages or a history's times need."""
-LONGEST_HEADER = 200
-"""Characters of one column's header."""
+MOST_COLUMNS, LONGEST_HEADER = 1000, 200
+"""Columns of a table, and characters of one column's header."""
 
 _MINUS = str.maketrans("−–", "--")
 _UNUSUAL = re.compile(r"[^0-9eE+.\s-]")
@@ -211,6 +211,8 @@ def _content(path: Path, text: str) -> Iterator[tuple[int, str]]:
 
 
 def _cells(path: Path, number: int, line: str, separator: str) -> list[str]:
+    if line.count(separator) > MOST_COLUMNS:
+        raise InputError(f"{path.name}, line {number}: more than {MOST_COLUMNS} columns")
     if '"' not in line:
         return [cell.lstrip() for cell in line.split(separator)]
     try:

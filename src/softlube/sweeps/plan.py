@@ -20,6 +20,8 @@ MOTIONS = {"steady": "steady:Steady", "squeeze": "approach:Approaches"}
 """How the sphere moves, and the room that has such cases.  Imported when wanted: a worker needs one of them at most."""
 LARGEST = 1_000_000
 """Bytes of a plan: ten for each case that it may have, and columns of many values stand in a CSV file."""
+UNENDING = re.compile(r"[^=,\n#]{2000}")
+"""A key or a value that goes on and on: the time for a key of many parts grows with their square."""
 SETTINGS = ("motion", "combine", "accuracy")
 
 
@@ -135,6 +137,9 @@ def read_plan(path: str | os.PathLike[str]) -> Plan:
         raise error.about(f"plan: {os.fspath(path)!r}") from None
     except UnicodeDecodeError:
         raise InputError(f"{path.name}: not UTF-8 text; expected a plan in TOML") from None
+    if (long := UNENDING.search(text)) is not None:
+        line = text.count("\n", 0, long.start()) + 1
+        raise InputError(f"{path.name}, line {line}: a key or a value is longer than anything that a plan needs")
     try:
         content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
