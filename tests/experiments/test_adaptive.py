@@ -112,6 +112,24 @@ def test_places_do_not_depend_on_the_ends():
         assert np.all(np.diff(places) > 0)
 
 
+def test_solutions_are_placed_where_the_curve_is_read():
+    """Rows that are many are some of them solved; few of them all, and no more than these."""
+    many, few = np.geomspace(2, 2e4, 61).tolist(), np.geomspace(2, 2e4, 7).tolist()
+    for rows, most in ((many, 25), (few, 7)):
+        solve, asked = solved(bend)
+        curve = place(solve, 2.0, 2e4, ["f"], 1e-3, rows)["f"]
+        assert set(asked) <= set(rows)
+        assert len(asked) <= most
+        value, error = curve(rows)
+        exact = np.array([bend(row) for row in rows])
+        assert np.all(np.abs(value - exact) <= error + 1e-12 * exact)
+    assert set(asked) == set(few)
+    np.testing.assert_allclose(value, exact, rtol=1e-12)
+    solve, asked = solved(bend)
+    place(solve, 2.0, 2e4, ["f"], 1e-3, [2.0, 77.0, 2e4])
+    assert {2.0, 77.0, 2e4} <= set(asked)
+
+
 def test_a_place_between_two_places():
     assert place_between(10.0, 1000.0) == pytest.approx(100.0)
     assert place_between(1.0, 10 ** (1.5 / PER_DECADE)) is None

@@ -150,17 +150,15 @@ SLAB = {"radius": "2 mm", "young_modulus": "3 MPa", "thickness": "1 mm"}
 
 @pytest.fixture(scope="module")
 def on_a_slab(clean):
-    """The friction of the 72 combinations on a bonded slab, without noise; every sixth of them solved by itself."""
-    values = {"viscosity": VISCOSITY, "young_modulus": 3e6, "friction_offset": 0.0}
-    model = make_model(clean, **SLAB, viscosity=VISCOSITY).cover(values, 2.0, None)
-    assert len(model.family.curves) == 6
-    friction = model.friction(values)
-    for row in range(0, len(clean), 6):
-        contact = softlube.Contact(**SLAB, viscosity=VISCOSITY, speed=clean.speed[row], load=clean.load[row])
-        solved = contact.solve(accuracy=5e-3).dimensional["friction_total"]
-        assert friction[row] == pytest.approx(solved, rel=2e-3)
-        friction[row] = solved
-    return replace(clean, friction=friction)
+    """The friction of the 72 combinations on a bonded slab, each solved by itself, without noise."""
+    return solved_friction(clean, **SLAB, viscosity=VISCOSITY)
+
+
+def solved_friction(data, **given):
+    """Measurements at the loads and speeds of others, their friction from `softlube.Contact.solve`."""
+    contacts = [softlube.Contact(**given, speed=v, load=n) for v, n in zip(data.speed, data.load, strict=True)]
+    friction = [float(each.solve(accuracy=5e-3).dimensional["friction_total"]) for each in contacts]
+    return replace(data, friction=np.array(friction))
 
 
 @pytest.mark.slow
@@ -168,6 +166,41 @@ def test_on_a_layer_the_interval_covers_the_truth_in_95_of_100(on_a_slab):
     found = [fit(noisy(on_a_slab, seed), **SLAB, compare=False).estimates["viscosity"] for seed in range(100)]
     covered = sum(estimate.low <= VISCOSITY <= estimate.high for estimate in found)
     assert 90 <= covered <= 99
+
+
+SOFT = {"radius": "2 mm", "young_modulus": "3 MPa"}
+HARD = {"radius": "2 mm", "young_modulus": "30 GPa"}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("given", "loads", "name", "start"),
+    [
+        (SOFT | {"pressure_viscosity": 2.5e-6}, 1, "pressure_viscosity", 4e-6),
+        (HARD | {"pressure_viscosity": 5e-9, "viscosity_law": "roelands"}, 10, "viscosity", 1.0),
+        (SOFT | {"ball_young_modulus": 3e6}, 1, "ball_young_modulus", 1e6),
+    ],
+    ids=["pressure coefficient", "viscosity of Roelands", "second modulus"],
+)
+def test_other_parameters_come_back_and_their_intervals_hold_the_truth(clean, given, loads, name, start):
+    """αp is some 0.5 to 2, and the second body is as soft as the first one."""
+    given = {"viscosity": VISCOSITY} | given
+    data = solved_friction(replace(clean, load=loads * clean.load), **given)
+    fitted = given | {name: start}
+    exact = fit(data, **fitted, free=(name,), compare=False)
+    assert exact.values[name] == pytest.approx(given[name], rel=0.03)
+    found = [fit(noisy(data, seed), **fitted, free=(name,), compare=False).estimates[name] for seed in range(20)]
+    assert sum(estimate.low <= given[name] <= estimate.high for estimate in found) >= 17
+
+
+def test_friction_that_no_liquid_bears_is_in_doubt(clean):
+    """Shear stress of some MPa at more than a tenth of the pressure."""
+    hard = {"radius": "2 mm", "young_modulus": "300 MPa"}
+    data = clean.take(np.arange(11))
+    data = solved_friction(replace(data, load=300 * data.load), **hard, viscosity=6e5)
+    with pytest.warns(softlube.ValidityWarning, match=r"data, line \d+: the mean shear stress"):
+        found = fit(data, **hard, compare=False)
+    assert any(text.startswith("In doubt: data, line") for text in found.verdicts)
 
 
 def test_parameters_that_change_layer_and_liquid_each_in_its_own_way_are_refused(clean):

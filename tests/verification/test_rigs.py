@@ -51,7 +51,7 @@ def random_rigs(count, seed=17):
 
 
 def check(count, capsys):
-    """Every quantity in SI and its error, of ``softlube solve`` and of a sweep, for as many rigs."""
+    """One value of every quantity and its error by ``softlube solve``, a sweep, and a Stribeck curve that starts there."""
     rigs = {name: values.tolist() for name, values in random_rigs(count).items()}
     table = softlube.sweep(rigs, combine="zip", accuracy=ACCURACY, workers=1).table
     assert len(table) == count
@@ -59,7 +59,17 @@ def check(count, capsys):
         given = {name: f"{values[row]} {declared()[name].unit}" for name, values in rigs.items()}
         options = [text for name, value in given.items() for text in (f"--{name.replace('_', '-')}", value.strip())]
         assert main(["solve", *options, "--accuracy", str(ACCURACY), "--json"]) == 0
-        for name, quantity in json.loads(capsys.readouterr().out)["dimensional"].items():
+        solved = json.loads(capsys.readouterr().out)["dimensional"]
+        speed = rigs["entrainment_speed"][row]
+        bodies = [each for each in zip(options[::2], options[1::2], strict=True) if each[0] != "--entrainment-speed"]
+        ends = [("--slowest", f"{speed!r} m/s"), ("--fastest", f"{4 * speed!r} m/s"), ("--points", "3")]
+        asked = [text for pair in bodies + ends for text in pair]
+        assert main(["stribeck", *asked, "--accuracy", str(ACCURACY), "--json"]) == 0
+        first = json.loads(capsys.readouterr().out)["rows"][0]
+        for name, column in (("friction_total", "friction"), ("film_center",) * 2, ("film_min",) * 2):
+            unit = solved[name]["unit"]
+            assert first[header(column, unit)] == pytest.approx(solved[name]["value"], rel=1e-6), (row, name)
+        for name, quantity in solved.items():
             for key, error in (("value", False), ("error", True)):
                 swept = table.loc[row, header(name, quantity["unit"], error=error)]
                 expected = np.nan if quantity[key] is None else quantity[key]

@@ -103,7 +103,7 @@ def stribeck(
     if not load:
         raise InputError("load: missing; expected a force such as '100 mN'")
     contact = Contact(**physical, load=load[0], speed=1.0, cavitation=cavitation)
-    from softlube.experiments.stribeck import stribeck_curve
+    from softlube.experiments.stribeck import doubts, stribeck_curve
 
     with Bar("solving", quiet=as_json) as bar:
         table = stribeck_curve(
@@ -136,14 +136,16 @@ def stribeck(
         rows = [
             {name: None if value != value else value for name, value in row.items()} for row in table.to_dict(orient="records")
         ]
-        print(json.dumps({"inputs": inputs, "rows": rows}, allow_nan=False), flush=True)
+        result = {"inputs": inputs, "rows": rows, "warnings": list(doubts(contact, table))}
+        print(json.dumps(result, allow_nan=False), flush=True)
     else:
         print(echo(inputs))
-        _report(table, described(force, parse_region(region)), [path for path in (output, plot) if path is not None])
+        paths = [path for path in (output, plot) if path is not None]
+        _report(table, described(force, parse_region(region)), doubts(contact, table), paths)
     return 0
 
 
-def _report(table: pandas.DataFrame, what: str, files: list[str]) -> None:
+def _report(table: pandas.DataFrame, what: str, doubts: tuple[str, ...], files: list[str]) -> None:
     import numpy as np
     from rich import box
     from rich.console import Console
@@ -173,5 +175,7 @@ def _report(table: pandas.DataFrame, what: str, files: list[str]) -> None:
     beyond = int(table["friction [N]"].isna().sum())
     if beyond:
         console.print(f"{beyond} of {len(table)} speeds are beyond what can be solved (-).")
+    for doubt in doubts:
+        console.print(f"[bold yellow]Warning:[/] {doubt}.")
     for path in files:
         console.print(f"Wrote {printable(path)}", markup=False)

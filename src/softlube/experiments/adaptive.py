@@ -115,8 +115,11 @@ class Interpolant:
         return value, relative * scale
 
 
-def first_places(low: float, high: float) -> list[float]:
-    """Where a curve is solved first: both ends, and places between them that do not depend on the ends."""
+def first_places(low: float, high: float, rows: Sequence[float] = ()) -> list[float]:
+    """Where a curve is solved first: both ends, and places between them that do not depend on the ends.
+
+    Each place between them moves to the nearest of the β where the curve will be read, `rows`, if there are enough.
+    """
     start, stop = PER_DECADE * math.log10(low), PER_DECADE * math.log10(high)
     step = FIRST
     while True:
@@ -124,15 +127,26 @@ def first_places(low: float, high: float) -> list[float]:
         inner = [
             k for k in range(math.ceil(start / step) * step, math.ceil(stop), step) if start + step / 4 <= k <= stop - step / 4
         ]
-        if len(inner) >= FEWEST - 2:
-            return [low, *(_beta(k) for k in inner), high]
-        if step == 1:
-            return np.geomspace(low, high, FEWEST).tolist()
+        if len(inner) >= FEWEST - 2 or step == 1:
+            places = [low, *map(_beta, inner), high] if len(inner) >= FEWEST - 2 else np.geomspace(low, high, FEWEST).tolist()
+            moved = {nearest(place, rows) for place in places[1:-1]} - {low, high} if rows else set()
+            return [low, *sorted(moved), high] if len(moved) >= FEWEST - 2 else sorted({*places, *rows})
         step //= 2
 
 
-def place_between(low: float, high: float) -> float | None:
-    """The place nearest to the middle of an interval of β; none where it is too short."""
+def nearest(beta: float, rows: Sequence[float]) -> float:
+    """The nearest of some β, as a ratio."""
+    return min(rows, key=lambda row: abs(math.log(row / beta)))
+
+
+def place_between(low: float, high: float, rows: Sequence[float] = ()) -> float | None:
+    """The place nearest to the middle of an interval of β; none where it is too short.
+
+    Where the curve is read at known β alone, `rows`, it is one of these, and none where there is none in the interval.
+    """
+    if rows:
+        inside = [row for row in rows if low < row < high]
+        return nearest(math.sqrt(low * high), inside) if inside else None
     start, stop = PER_DECADE * math.log10(low), PER_DECADE * math.log10(high)
     if stop - start < 2:
         return None
@@ -150,6 +164,7 @@ def place(
     high: float,
     names: Iterable[str],
     accuracy: float,
+    rows: Sequence[float] = (),
 ) -> dict[str, Interpolant]:
     """Solve until the spline through the solutions is as accurate as they are.
 
@@ -163,6 +178,8 @@ def place(
         Functions whose accuracy counts.
     accuracy : float
         Relative accuracy of the spline.
+    rows : sequence of float
+        β from `low` to `high` at which the interpolants will be read, if these are known: the solutions are placed there.
 
     Returns
     -------
@@ -171,14 +188,14 @@ def place(
         others.
     """
     names = tuple(names)
-    found: dict[float, Numbers | None] = dict(solve(first_places(low, high)))
+    found: dict[float, Numbers | None] = dict(solve(first_places(low, high, rows)))
     while True:
         known = sorted(beta for beta, numbers in found.items() if numbers is not None)
         curves = {name: curve for name in names if (curve := through(known, found, name, accuracy)) is not None}
         wanted = set()
         for curve in curves.values():
             for (left, right), cut in zip(itertools.pairwise(curve.beta.tolist()), curve.unresolved(), strict=True):
-                middle = place_between(left, right) if cut else None
+                middle = place_between(left, right, rows) if cut else None
                 if middle is not None and middle not in found:
                     wanted.add(middle)
         if not wanted:

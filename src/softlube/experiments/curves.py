@@ -68,6 +68,7 @@ class Computing:
         high: float,
         names: Sequence[str],
         read: Callable[[Node], Numbers],
+        rows: Sequence[float] = (),
     ) -> dict[str, Interpolant]:
         """What is read off the solutions of a problem, as functions of β.
 
@@ -81,6 +82,8 @@ class Computing:
             What the curves are of.
         read : callable
             Gives values and absolute errors of a solution by name, nan where it has none.
+        rows : sequence of float
+            See `softlube.experiments.adaptive.place`.
 
         Raises
         ------
@@ -96,7 +99,7 @@ class Computing:
             reasons.extend(found[each].reason for each in problems.values())
             return {beta: None if found[each].reason else read(found[each]) for beta, each in problems.items()}
 
-        curves = place(solve, low, high, names, self.accuracy)
+        curves = place(solve, low, high, names, self.accuracy, [row for row in rows if low <= row <= high])
         missing = [name for name in names if name not in curves]
         if missing:
             reason = next(filter(None, reversed(reasons)), f"{', '.join(missing)}: no grid resolves it")

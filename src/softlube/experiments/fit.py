@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -11,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.errors import InputError, SoftlubeError
+from softlube.errors import InputError, SoftlubeError, ValidityWarning
 from softlube.experiments.fit_checks import FEWEST_SIGNS, HoldOut, check_held_out, order_of_residuals
 from softlube.experiments.friction_model import Model, make_model, normalised_friction
 from softlube.experiments.intervals import Estimate, bootstrap, profile
@@ -230,6 +231,8 @@ def fit(
     else:
         estimates, covariance = bootstrap(model, optimum, confidence, random, robust, progress)
     # With the modulus free, too, the comparison would show how loosely both are tied to the data, and nothing else.
+    for doubt in doubts(model, values):
+        warnings.warn(doubt, ValidityWarning, stacklevel=2)
     compared = compare and "viscosity" in model.free and "young_modulus" not in model.free and len(data) <= LARGE
     return Fit(
         model=model,
@@ -268,6 +271,19 @@ def _others(
             continue
         found[force, other] = again.values(optimum.x)["viscosity"]
     return found
+
+
+def doubts(model: Model, values: Mapping[str, float]) -> tuple[str, ...]:
+    """Where the model may not describe the experiment: under the greatest load, and at the greatest friction coefficient."""
+    data = model.data
+    heaviest, steepest = int(np.argmax(data.load)), int(np.argmax(np.abs(data.friction) / data.load))
+    widest = model.contact(values, float(data.load[heaviest]))
+    found = [(heaviest, each) for each in widest.width_doubt(widest.dry_radius)]
+    load = float(data.load[steepest])
+    contact = model.contact(values, load)
+    stress = contact.traction_doubt(float(data.friction[steepest]), load, contact.dry_radius)
+    found += [(steepest, each) for each in stress]
+    return tuple(f"{data.source}, line {data.lines[row]}: {text}" for row, text in found)
 
 
 def verdicts(found: Fit) -> tuple[str, ...]:
@@ -319,4 +335,5 @@ def verdicts(found: Fit) -> tuple[str, ...]:
             f"{len(held.lines)} rows left out are predicted {verdict}: scatter {held.scatter:.3g} against {found.scatter:.3g}, "
             f"{100 * held.covered:.0f} % of them within the range predicted for {100 * found.confidence:g} %."
         )
+    result += [f"In doubt: {each}." for each in doubts(found.model, found.values)]
     return tuple(result)

@@ -188,6 +188,7 @@ def load_curve(
 def load_curves(
     wanted: Sequence[tuple[Problem, float, float]],
     *,
+    rows: Sequence[Sequence[float]] = (),
     region: str | float = DOMAIN,
     accuracy: float = ACCURACY,
     progress: Listener | None = None,
@@ -198,32 +199,41 @@ def load_curves(
     ----------
     wanted : sequence of (Problem, float, float)
         Problem and range of each, see `load_curve`.  A problem that is there twice has one curve over both ranges.
+    rows : sequence of sequence of float
+        β_load at which each will be read, if that is known: solutions are then placed there, see
+        `softlube.experiments.adaptive.place`.
     region, accuracy, progress
         See `load_curve`.
     """
     check_friction(FORCES[0], region)
     check_accuracy(accuracy)
     ranges: dict[Problem, tuple[float, float]] = {}
+    read: dict[Problem, set[float]] = {}
     for problem, low, high in wanted:
         low, high = clipped(low, high)
         before = ranges.get(at(problem, 1.0), (low, high))
         ranges[at(problem, 1.0)] = min(low, before[0]), max(high, before[1])
+    for (problem, _, _), each in zip(wanted, rows or [()] * len(wanted), strict=True):
+        read.setdefault(at(problem, 1.0), set()).update(each)
     with solving() as nodes:
         computing = Computing(nodes, accuracy, progress)
         curves = {
-            problem: _from_table(problem, *ends, region, accuracy) or _computed(computing, problem, *ends, region)
+            problem: _from_table(problem, *ends, region, accuracy)
+            or _computed(computing, problem, *ends, region, sorted(read[problem]))
             for problem, ends in ranges.items()
         }
     return [curves[at(problem, 1.0)] for problem, _, _ in wanted]
 
 
-def _computed(computing: Computing, problem: Problem, low: float, high: float, region: str | float) -> LoadCurve:
+def _computed(
+    computing: Computing, problem: Problem, low: float, high: float, region: str | float, rows: Sequence[float]
+) -> LoadCurve:
     radius = radius_of(region)
 
     def read(node: Node) -> Numbers:
         return {name: node.quantities[name] for name in FILMS} | node.friction(radius)
 
-    functions = computing.curves(problem, low, high, list(MASTER), read)
+    functions = computing.curves(problem, low, high, list(MASTER), read, rows)
     ends = [(float(each.beta[0]), float(each.beta[-1])) for each in functions.values()]
     return LoadCurve(max(first for first, _ in ends), min(last for _, last in ends), region, functions)
 

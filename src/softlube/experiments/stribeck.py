@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from softlube.errors import InputError
+from softlube.errors import InputError, ValidityWarning
 from softlube.experiments.load_curve import ACCURACY, FILMS, LoadCurve, check_friction, load_curves
 from softlube.model.motions import FIXED_BALL, Sliding
 from softlube.model.quantities import header
@@ -110,7 +111,11 @@ def stribeck_curve(
         (problem, WIDE[0] if fast_beta is None else fast_beta[i], WIDE[1] if slow_beta is None else slow_beta[i])
         for i, problem in enumerate(problems)
     ]
-    curves = load_curves(wanted, region=region, accuracy=accuracy, progress=progress)
+    # Where both ends are given the rows are known beforehand, and the solutions are placed at rows.
+    slow, fast = ends
+    known = None if slow is None or fast is None else np.geomspace(slow, fast, points)
+    read = [] if known is None else [(problem.parameter / known).tolist() for problem in problems]
+    curves = load_curves(wanted, rows=read, region=region, accuracy=accuracy, progress=progress)
     rows = []
     for load, each, curve in zip(in_si, at_unit_speed, curves, strict=True):
         beta = each.problem().parameter
@@ -120,7 +125,27 @@ def stribeck_curve(
             raise InputError(f"slowest, fastest: nothing can be solved between them at {load:g} N")
         speeds = np.geomspace(slow, fast, points)
         rows.append(_rows(each, curve, load, speeds, _inside(beta / speeds, curve), slide_to_roll, force, height))
-    return pd.concat(rows, ignore_index=True)
+    table = pd.concat(rows, ignore_index=True)
+    for doubt in doubts(contact, table):
+        warnings.warn(doubt, ValidityWarning, stacklevel=2)
+    return table
+
+
+def doubts(contact: Contact | Rig, table: pandas.DataFrame) -> tuple[str, ...]:
+    """What is in doubt about a table of `stribeck_curve`: at each load, where the friction is greatest."""
+    found = []
+    for load, rows in table.groupby("load [N]", sort=False):
+        solved = rows[rows["friction [N]"].notna()]
+        if solved.empty:
+            continue
+        newtons = float(str(load))
+        worst = int(solved["friction [N]"].abs().argmax())
+        friction, speed = (float(solved[name].iloc[worst]) for name in ("friction [N]", "entrainment_speed [m/s]"))
+        under = _under(contact, newtons)
+        here = under.width_doubt(under.dry_radius)
+        here += [f"at {speed:.3g} m/s {each}" for each in under.traction_doubt(friction, newtons, under.dry_radius)]
+        found += [f"load {newtons:.4g} N: {each}" for each in here]
+    return tuple(found)
 
 
 def _under(contact: Contact | Rig, load: float) -> Contact:

@@ -160,8 +160,12 @@ class Contact(Materials):
             )
         return problem
 
-    def _dry_radius(self, problem: Problem) -> float:
+    @property
+    def dry_radius(self) -> float:
         """Radius of the dry contact on the substrate [m]; 0 where a gap is prescribed."""
+        return self._dry_radius(self.problem())
+
+    def _dry_radius(self, problem: Problem) -> float:
         return 0.0 if problem.height >= 0 else Regime.of(problem).edge_radius * self.unit_length
 
     def solve(self, *, accuracy: float = 1e-3, method: str = "newton", progress: Listener | None = None) -> Solution:
@@ -220,7 +224,7 @@ class Contact(Materials):
         friction, load = result["friction_total"], result["load"]
         coefficient = friction / load
         result["indentation"] = Quantity(-height * float(quantities["height"]), height * quantities["height"].error, "m")
-        if radius := self._dry_radius(self.problem()):
+        if radius := self.dry_radius:
             result["contact_radius"] = Quantity(radius, 0.0, "m")
         result["friction_coefficient"] = Quantity(
             coefficient, abs(coefficient) * (friction.error / abs(friction) + load.error / abs(load))
@@ -231,29 +235,20 @@ class Contact(Materials):
 
     def doubts(self, dimensional: Mapping[str, Quantity]) -> tuple[str, ...]:
         """Warnings where the model may not describe the experiment."""
-        doubts = []
         gap = max(-float(dimensional["indentation"]), 0.0)
         lifted = gap > 0
         # Over a gap the pressure is as wide as the parabola stays close.
         reach = math.sqrt(2 * self.reduced_radius * gap)
         radius = reach if lifted else float(dimensional.get("contact_radius", self.unit_length))
-        if radius > LARGEST_SLOPE * self.bearing_radius:
-            doubts.append(
-                f"the {'pressure reaches' if lifted else 'contact radius is'} {radius / self.bearing_radius:.2g} R: beyond "
-                f"{LARGEST_SLOPE} R linear elasticity and the parabolic sphere are in doubt"
-            )
+        doubts = self.width_doubt(radius, "pressure reaches" if lifted else "contact radius is")
         if self.roughness is not None and (ratio := float(dimensional["lambda_ratio"])) < FULL_FILM:
             doubts.append(
                 f"the minimum film is {ratio:.2g} times the roughness ({lubrication(ratio)} lubrication, full film from "
                 f"{FULL_FILM:g} on): asperities touch, which the model leaves out"
             )
         shear = float(dimensional["friction_contact" if self.slide_to_roll == FIXED_BALL else "friction_domain"])
-        stress, share = abs(shear) / (math.pi * radius**2), abs(shear) / float(dimensional["load_contact"])
-        if not lifted and share > LARGEST_TRACTION and stress > NEWTONIAN_STRESS:
-            doubts.append(
-                f"the mean shear stress, {stress:.2g} Pa, is {share:.2g} times the mean pressure: above {LARGEST_TRACTION} no "
-                "liquid stays Newtonian, it shears at a limiting stress instead; do not trust the friction"
-            )
+        if not lifted:
+            doubts += self.traction_doubt(shear, float(dimensional["load_contact"]), radius)
         center = float(dimensional["film_center"])
         reynolds = self.density * self.speed_sum * center**2 / (self.viscosity * radius)
         if reynolds > LARGEST_FILM_REYNOLDS:
@@ -265,6 +260,23 @@ class Contact(Materials):
         if isinstance(substrate, LayerKernel) and float(dimensional["indentation"]) > 0:  # else no dry contact to compare
             doubts += self._thickness_effect(substrate, dimensional)
         return tuple(doubts)
+
+    def width_doubt(self, radius: float, what: str = "contact radius is") -> list[str]:
+        """A warning if a radius [m] is too large beside the sphere's for the model."""
+        share = radius / self.bearing_radius
+        if not share > LARGEST_SLOPE:
+            return []
+        return [f"the {what} {share:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and the parabolic sphere are in doubt"]
+
+    def traction_doubt(self, friction: float, load: float, radius: float) -> list[str]:
+        """A warning if no liquid bears the shear stress of a friction and a load [N] within a radius [m]."""
+        stress, share = abs(friction) / (math.pi * radius**2), abs(friction) / load
+        if not (share > LARGEST_TRACTION and stress > NEWTONIAN_STRESS):
+            return []
+        return [
+            f"the mean shear stress, {stress:.2g} Pa, is {share:.2g} times the mean pressure: above {LARGEST_TRACTION} no "
+            "liquid stays Newtonian, it shears at a limiting stress instead; do not trust the friction"
+        ]
 
     def _thickness_effect(self, substrate: LayerKernel, dimensional: Mapping[str, Quantity]) -> list[str]:
         """What the finite thickness of the substrate changes, computed."""
