@@ -5,7 +5,7 @@ import pytest
 
 import softlube
 from softlube.experiments.load_curve import load_curve
-from softlube.experiments.load_family import LoadFamily, load_family
+from softlube.experiments.load_family import LoadFamily, _between, load_family
 
 ROUGH = 0.02
 
@@ -64,3 +64,14 @@ def test_weights_are_lagrange_s():
     load = np.array([0.5, 1.3, 5.0, 20.0])  # outside: the end
     x, nodes = np.log(np.clip(load, 1, 8)), np.log(family.loads)
     np.testing.assert_allclose((nodes**2) @ family._weights(load), x**2)
+
+
+def test_between_loads_the_logarithm_is_a_polynomial():
+    """What rises by orders of magnitude is met, and stays positive; what changes sign is interpolated as it is."""
+    family = LoadFamily(np.array([1.0, 4.0, 16.0]), ())
+    load = np.geomspace(1, 16, 20)
+    weights = family._weights(load)
+    steep = np.exp(np.log(family.loads) ** 2)[:, None] * np.ones(load.size)
+    np.testing.assert_allclose(_between(-steep, weights), -np.exp(np.log(load) ** 2))
+    crossing = np.log(family.loads / 3)[:, None] * np.ones(load.size)
+    np.testing.assert_allclose(_between(crossing, weights), np.log(load / 3), atol=1e-12)

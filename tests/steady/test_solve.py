@@ -1,5 +1,7 @@
 """solve(): what it promises and what it refuses."""
 
+import time
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from softlube.discretization.measure import measure
 from softlube.model.liquids import BarusLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import REPORTED_ONLY
+from softlube.model.substrates import LayerKernel
 from softlube.steady.error_estimate import LOOSER, yardstick
 from softlube.steady.solve import solve_problem
 
@@ -140,3 +143,27 @@ def test_an_unknown_method_is_refused():
         softlube.solve(beta=100.0, method="jacobi")
     with pytest.raises(softlube.InputError, match="has one mesh and takes no accuracy"):
         softlube.solve(beta=100.0, method="relaxation", accuracy=1e-2)
+
+
+def test_a_solve_gives_up_when_its_budget_is_spent():
+    with pytest.raises(
+        softlube.NotConvergedError, match=r"beta = 1e\+06: no solution within 0.01 s .* Try accuracy=3e-03 or budget"
+    ):
+        softlube.solve(beta=1e6, budget=0.01)
+    for budget in (0, -1, float("nan"), True, "60 s"):
+        with pytest.raises(softlube.InputError, match="budget: expected a number of seconds"):
+            softlube.solve(beta=100, budget=budget)
+
+
+@pytest.mark.parametrize(
+    ("problem", "message"),
+    [
+        (Problem(beta_load=5e-5, substrate=LayerKernel(0.1, base="frictionless")), "has the film of a rigid sphere"),
+        (Problem(beta_load=1e4, substrate=LayerKernel(1e-3)), "the layer is too thin beside its contact"),
+    ],
+)
+def test_layers_that_grids_do_not_resolve_are_refused_at_once(problem, message):
+    began = time.process_time()
+    with pytest.raises(softlube.NotConvergedError, match=message):
+        solve_problem(problem)
+    assert time.process_time() - began < 1

@@ -29,6 +29,7 @@ def solve(
     cavitation: Annotated[str, Parameter(group=_METHOD)] = "reynolds",
     accuracy: Annotated[float, FLOAT, Parameter(group=_METHOD)] = 1e-3,
     method: Annotated[str, Parameter(group=_METHOD)] = "newton",
+    budget: Annotated[float, Parameter(group=_METHOD)] = 60.0,
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
@@ -52,6 +53,8 @@ def solve(
         Relative error aimed at; the grids follow from it.
     method
         "newton", or the paper's own "relaxation" or "cartesian" (slower, without errors; for comparison).
+    budget
+        Seconds of processor time after which the solver gives up.
     output
         NetCDF file for the whole solution.
     plot
@@ -102,7 +105,7 @@ def solve(
     import time
 
     began = time.perf_counter()
-    options = {"accuracy": accuracy, "method": method}
+    options = {"accuracy": accuracy, "method": method, "budget": budget}
     solution = _solve(physical, {"beta": beta, "beta_load": beta_load}, cavitation, options, quiet=as_json)
     seconds = time.perf_counter() - began
     _write_files(solution, output, plot)

@@ -43,9 +43,9 @@ ACCURACY = 5e-3
 """Relative accuracy of the solutions behind the curve: the friction is then good to 0.1 %, far better than a measurement."""
 ROOM = 4.0
 """How far, as a factor of β, the curve reaches beyond the data at first."""
-SPREAD = 27.0
+SPREAD = 8.0
 """How far, as a factor of the load, curves reach beyond the data where a fitted parameter acts like another load.  A thickness
-or a pressure coefficient is so looked for within a factor of 3."""
+or a pressure coefficient is so looked for within a factor of 2 of where the search is."""
 PAPER_FIT = (4.806, 0.4398)
 """Eq. (28), from which the first guess of the viscosity is taken."""
 WEAK = 5e-3

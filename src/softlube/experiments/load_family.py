@@ -3,7 +3,8 @@
 On a half-space with constant viscosity every load has one and the same curve.  A layer is the thicker over the contact's radius
 the lighter the load, and an oil thickens the less: there each load has a curve of its own.  Where a few loads are measured,
 their curves are taken; else those of Chebyshev's points in ln(load), so many that the polynomial through them is as accurate as
-they are.
+they are.  The polynomial is one of the logarithm of the friction's Couette part and of its Poiseuille part, neither of which
+changes sign: under an oil they rise by orders of magnitude with the load.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from softlube.experiments.load_curve import ACCURACY, LoadCurve, load_curves
 from softlube.experiments.nodes import at
+from softlube.model.motions import FIXED_BALL
 from softlube.model.problem import Problem
 from softlube.solvers.progress import Listener
 
@@ -75,8 +77,10 @@ class LoadFamily:
         return found
 
     def _inside(self, weights: Array, beta: Array, force: str, rolls: Array) -> Array:
-        values = (curve.friction(beta, force=force, slide_to_roll=rolls)[0] for curve in self.curves)
-        return np.sum([weight * value for weight, value in zip(weights, values, strict=True)], axis=0)
+        couette = np.array([curve.friction(beta, force="couette")[0] for curve in self.curves])
+        poiseuille = couette - [curve.friction(beta, force="total")[0] for curve in self.curves]
+        sign = {"total": -1.0, "sphere": 1.0, "couette": 0.0}[force]
+        return _between(couette, weights) * rolls / FIXED_BALL + sign * _between(poiseuille, weights)
 
     def _weights(self, load: Array) -> Array:
         """What each curve counts at some loads, shape (curves, …): Lagrange's polynomials in ln(load)."""
@@ -86,6 +90,15 @@ class LoadFamily:
             for other in np.delete(nodes, k):
                 weights[k] *= (x - other) / (node - other)
         return weights
+
+
+def _between(values: Array, weights: Array) -> Array:
+    """Polynomial in ln(load) through the logarithms of some values; through the values themselves where signs differ."""
+    one_sign = np.all(values > 0, axis=0) | np.all(values < 0, axis=0)
+    logarithm = np.log(np.where(one_sign, np.abs(values), 1.0))
+    return np.where(
+        one_sign, np.sign(values[0]) * np.exp(np.sum(weights * logarithm, axis=0)), np.sum(weights * values, axis=0)
+    )
 
 
 def load_family(

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from softlube.errors import NotConvergedError
-from softlube.experiments.friction_model import Model
+from softlube.experiments.friction_model import Model, unit_of
 from softlube.solvers.progress import Listener
 
 Array = NDArray[np.floating]
@@ -17,7 +17,7 @@ Array = NDArray[np.floating]
 ROBUST_ROUNDS = 3
 BEYOND = 3.0
 """Factor of β by which rows may lie above what could be solved: the curve is all but straight there, in logarithms."""
-ROUNDS = 4
+ROUNDS = 6
 """Times that the curve is widened to where the fit has led."""
 
 
@@ -80,6 +80,10 @@ def optimise(model: Model, start: dict[str, float], *, robust: bool = False) -> 
     return Optimum(x, float(remaining @ remaining), covariance)
 
 
+def _listed(model: Model, values: dict[str, float]) -> str:
+    return ", ".join(f"{name} = {values[name]:.3g} {unit_of(name)}" for name in model.free)
+
+
 def _scatter(residuals: Array) -> float:
     """Standard deviation from the median absolute one: outliers do not count."""
     return 1.4826 * float(np.median(np.abs(residuals - np.median(residuals))))
@@ -108,8 +112,13 @@ def solve_model(
         assert model.family is not None
         low, high, beta = model.family.low, BEYOND * model.family.high, model.beta(values)
         inside = low <= beta.min() and beta.max() <= (high if not remaining else model.family.high)
-        if inside and (not remaining or model.holds_for(values)):
+        if inside and model.holds_for(values):
             return model, optimum
+        if not remaining and inside:
+            raise NotConvergedError(
+                f"the fit leads from one set of curves to the next, at last to {_listed(model, values)}; start from there, or "
+                "hold one of the parameters"
+            )
         if not remaining:
             row = int(np.argmin(beta) if beta.min() < low else np.argmax(beta))
             raise NotConvergedError(

@@ -27,7 +27,8 @@ from softlube.model.substrates.layer import EVEN
 
 Array = NDArray[np.floating]
 
-FEWEST_POINTS = 24
+FEWEST_POINTS, MOST_POINTS = 24, 1500
+"""Quadrature points at least; and at most: a layer that needs more is too thin for the grids of the lubricated contact, too."""
 POINTS_PER_WAVE = 0.2
 """Quadrature points for each radian that the shortest wave of the remainder turns over the contact."""
 
@@ -82,6 +83,11 @@ class DryContact:
 def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
     """Dry contact of a given radius.
 
+    Raises
+    ------
+    NotConvergedError
+        If the substrate is so thin beside the radius that the equation needs more than `MOST_POINTS`.
+
     Examples
     --------
     >>> from softlube.model.substrates import HalfSpaceKernel
@@ -90,6 +96,11 @@ def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
     """
     k, defect = substrate.spectrum(2 * radius)
     n = FEWEST_POINTS + int(POINTS_PER_WAVE * radius * float(np.max(k, initial=0.0)))
+    if n > MOST_POINTS:
+        raise NotConvergedError(
+            f"the layer is too thin beside its contact: the dry contact would take {n} points, and {MOST_POINTS} are the most. "
+            "Check the units of thickness, radius, load and modulus."
+        )
     x, weight = leggauss(n)
     x, weight = radius * (x + 1) / 2, radius * weight / 2
     waves = np.cos(np.outer(x, k))

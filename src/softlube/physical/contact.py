@@ -34,6 +34,7 @@ from softlube.physical.materials import (
 )
 from softlube.physical.rolling import at_slide_to_roll
 from softlube.physical.roughness import FULL_FILM, lambda_ratio, lubrication
+from softlube.solvers.budget import DEFAULT_BUDGET
 from softlube.solvers.progress import Listener
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
@@ -168,7 +169,14 @@ class Contact(Materials):
     def _dry_radius(self, problem: Problem) -> float:
         return 0.0 if problem.height >= 0 else Regime.of(problem).edge_radius * self.unit_length
 
-    def solve(self, *, accuracy: float = 1e-3, method: str = "newton", progress: Listener | None = None) -> Solution:
+    def solve(
+        self,
+        *,
+        accuracy: float = 1e-3,
+        method: str = "newton",
+        budget: float = DEFAULT_BUDGET,
+        progress: Listener | None = None,
+    ) -> Solution:
         """Solve the contact.
 
         Parameters
@@ -177,6 +185,8 @@ class Contact(Materials):
             Relative error aimed at; see `softlube.solve`.
         method : {"newton", "relaxation", "cartesian"}
             See `softlube.solve`.
+        budget : float
+            Seconds of processor time after which the solver gives up, see `softlube.solve`.
         progress : callable, optional
             Called with a `softlube.solvers.progress.Progress` after each grid, for instance ``print``.
 
@@ -192,7 +202,8 @@ class Contact(Materials):
         """
         from softlube.steady.solve import solve_problem
 
-        return self.interpret(solve_problem(self.problem(), accuracy=accuracy, method=method, progress=progress))
+        solution = solve_problem(self.problem(), accuracy=accuracy, method=method, budget=budget, progress=progress)
+        return self.interpret(solution)
 
     # --- and back ---------------------------------------------------------------------------------------------------
 

@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from scipy.linalg import lu_factor, lu_solve
 from scipy.sparse.linalg import LinearOperator, gmres
 
+from softlube.solvers import budget
+
 Array = NDArray[np.floating]
 Mask = NDArray[np.bool_]
 
@@ -185,12 +187,18 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
         Size (see `Linearised.size`) that the next step would have, to go by the last two.
     max_iterations : int
         Steps before giving up.
+
+    Raises
+    ------
+    softlube.solvers.budget.OutOfTime
+        If the time is spent that the caller allows.
     """
     x = np.array(start, dtype=float)
     history: list[Iteration] = []
     before: Mask | None = None
     equation: LinearEquation | None = None
     for _ in range(max_iterations):
+        budget.check()
         at = system.linearise(x)
         active = system.constrained & (x - at.residual / at.scale <= 0)
         free = ~active

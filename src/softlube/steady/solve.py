@@ -10,6 +10,8 @@ from softlube.errors import InputError, NotConvergedError, ValidityWarning
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, Substrate
+from softlube.solvers import budget as time_budget
+from softlube.solvers.budget import DEFAULT_BUDGET
 from softlube.solvers.progress import Listener
 from softlube.steady.ladder import LARGEST_ACCURACY, solve_on_ladder
 from softlube.steady.regime import Regime
@@ -20,6 +22,10 @@ FINEST_ACCURACY = 1.4e-4
 """What the free boundary allows on the finest grid of the ladder (the film on the outlet axis is the first to fail)."""
 LARGEST_BETA = 1e9
 SMALLEST_BETA = 1e-6
+LOOSER = 3.0
+"""Factor of accuracy or time that is advised where the time did not do."""
+THINNEST = 2e-3
+"""Depth of a substrate's remainder over the mesh's unit of length (a layer's: twice its thickness) that the grids resolve."""
 THICKEST = 55.0
 """ln η/η₀ under a dry contact's largest pressure up to which the continuation in the viscosity is known to arrive."""
 
@@ -33,6 +39,7 @@ def solve(
     liquid: Liquid | None = None,
     accuracy: float = DEFAULT_ACCURACY,
     method: str = "newton",
+    budget: float = DEFAULT_BUDGET,
     progress: Listener | None = None,
 ) -> Solution:
     """Solve one dimensionless contact.
@@ -55,6 +62,8 @@ def solve(
     method : {"newton", "relaxation", "cartesian"}
         This solver, or the paper's own method on its polar mesh of 50 × 30 or on a Cartesian one of 100 × 50
         (docs/paper-method.md): slower, with one mesh and so without errors, for comparison.
+    budget : float
+        Seconds of processor time after which this solver gives up; the paper's method takes as long as it takes.
     progress : callable, optional
         Called with a `softlube.solvers.progress.Progress` after each grid, for instance ``print``.
 
@@ -67,7 +76,7 @@ def solve(
     InputError
         If an input is not as described (a ValueError).
     NotConvergedError
-        If no grid reaches the accuracy, or Newton's method fails, or the load is too light for h₀ < 0.
+        If no grid reaches the accuracy, or Newton's method fails, or the budget is spent.
 
     Examples
     --------
@@ -83,7 +92,7 @@ def solve(
         substrate=substrate or HalfSpaceKernel(),
         liquid=liquid or NewtonianLaw(),
     )
-    return solve_problem(problem, accuracy=accuracy, method=method, progress=progress)
+    return solve_problem(problem, accuracy=accuracy, method=method, budget=budget, progress=progress)
 
 
 def check_accuracy(accuracy: float) -> None:
@@ -104,12 +113,24 @@ def solve_problem(
     *,
     accuracy: float = DEFAULT_ACCURACY,
     method: str = "newton",
+    budget: float = DEFAULT_BUDGET,
     progress: Listener | None = None,
 ) -> Solution:
     """Solve a `Problem` by one of the methods; see `solve`."""
     if method == "newton":
         check_accuracy(accuracy)
-        solution = solve_on_ladder(_regime(problem), accuracy, progress)
+        if isinstance(budget, (bool, str)) or not budget > 0:
+            raise InputError(f"budget: expected a number of seconds above 0, got {budget!r}")
+        try:
+            with time_budget.within(budget):
+                solution = solve_on_ladder(_regime(problem), accuracy, progress)
+        except time_budget.OutOfTime:
+            name = "beta_load" if problem.load_controlled else "beta"
+            advice = f"accuracy={LOOSER * accuracy:.0e} or " if LOOSER * accuracy <= LARGEST_ACCURACY else ""
+            raise NotConvergedError(
+                f"{name} = {problem.parameter:.4g}: no solution within {budget:g} s of processor time. Try {advice}"
+                f"budget={LOOSER * budget:g}."
+            ) from None
         for doubt in solution.warnings:
             warnings.warn(doubt, ValidityWarning, stacklevel=3)
         return solution
@@ -132,6 +153,16 @@ def _regime(problem: Problem) -> Regime:
             "softlube.limits hold: a rigid sphere below, a Hertz contact above."
         )
     regime = Regime.of(problem)
+    remainder = problem.substrate.remainder
+    if remainder is not None and (depth := remainder.smooth_over / np.sqrt(regime.unit)) < THINNEST:
+        raise NotConvergedError(
+            f"the layer is {THINNEST / depth:.2g} times thinner, beside the width of the pressure, than what grids resolve. "
+            + (
+                "It hardly yields: softlube.limits has the film of a rigid sphere."
+                if regime.over_gap
+                else "Check its thickness."
+            )
+        )
     if regime.thickening > THICKEST:
         raise NotConvergedError(
             f"the viscosity would rise by a factor of e^{regime.thickening:.0f} under the dry contact's pressure; contacts are "
