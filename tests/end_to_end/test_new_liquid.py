@@ -139,4 +139,7 @@ def test_where_it_is_unknown_its_file_is_refused_with_a_message(syrup, tmp_path)
     run = subprocess.run(
         [sys.executable, "-c", textwrap.dedent(code)], cwd=tmp_path, capture_output=True, text=True, check=True
     )
-    assert "path: 'a.nc', problem: holds what this version of softlube does not know (liquid: no law 'syrup' is known" in run.stdout
+    assert (
+        "path: 'a.nc', problem: holds what this version of softlube does not know (liquid: no law 'syrup' is known"
+        in run.stdout
+    )
