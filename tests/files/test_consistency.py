@@ -59,6 +59,7 @@ def test_a_number_that_was_changed(data, name, place, value, message):
         ("levels", "[{}]", "levels: holds what"),
         ("inputs_SI", '{"radius": "2 mm"}', "inputs_SI: holds what"),
         ("height", "high", "height: holds what"),
+        ("height", 1e300, "height: expected a finite number"),
         ("height", -0.9, "beta: expected"),
         ("method", "guess", "method: 'guess' is none"),
         ("warnings", "3", "warnings: holds what"),

@@ -28,6 +28,9 @@ Array = NDArray[np.floating]
 LARGEST = 100_000_000
 """Bytes of a file that is read; solutions have less than one million, films in time some ten millions at most."""
 
+GREATEST = 1e30
+"""Largest magnitude in a file: beyond all results, and its powers are finite."""
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -128,7 +131,7 @@ def check(content: Content, schema: Mapping[str, Rule]) -> None:
         )
         if values.shape != shape or not values.size:
             raise Damaged(f"{name}: expected shape {_shape(shape)} by {', '.join(rule.axes)}, got {_shape(values.shape)}")
-        wrong = np.isinf(values) if rule.gaps else ~np.isfinite(values)
+        wrong = ~(np.abs(values) <= GREATEST) & ~(rule.gaps & np.isnan(values))
         if rule.sign != "any":
             wrong |= values < 0 if rule.sign == "not negative" else values <= 0
         if wrong.any():

@@ -16,7 +16,7 @@ from softlube.discretization.fields import Chart, Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError
 from softlube.files.consistency import check_consistency, check_grid
-from softlube.files.hdf5 import Content, Rule, Variable, check, read
+from softlube.files.hdf5 import GREATEST, Content, Rule, Variable, check, read
 from softlube.files.reading import Damaged
 from softlube.files.writing import check_destination, netcdf, write_whole
 from softlube.model.problem import Problem
@@ -201,7 +201,10 @@ def _read(name: str, make: Callable[[], Made]) -> Made:
 
 
 def _number(attributes: Mapping[str, Any], name: str) -> float:
-    return _read(name, lambda: float(attributes[name]))
+    number = _read(name, lambda: float(attributes[name]))
+    if abs(number) > GREATEST:
+        raise Damaged(f"{name}: expected a finite number, got {number:g}")
+    return number
 
 
 def _quantity(found: Variable) -> Quantity:
