@@ -92,3 +92,9 @@ def test_vertical_forces_balance(solution, solutions):
 def test_a_cutoff_beyond_the_solution_is_refused(solution):
     with pytest.raises(ValueError, match="cutoff: expected a radius between 0 and"):
         friction.split(solution, 1e3)
+
+
+def test_the_vertical_balance_is_that_of_a_half_space():
+    layered = softlube.solve(beta=50, substrate=softlube.substrates.LayerKernel(1.0), accuracy=0.05)
+    with pytest.raises(softlube.InputError, match="vertical balance"):
+        friction.vertical_balance(layered)

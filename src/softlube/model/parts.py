@@ -103,7 +103,7 @@ def selector_input(slot: str, selector: str) -> Input:
     kinds = Part.slots.setdefault(slot, {})
     of = selector.removesuffix("_law")
     usual = next((kind for kind, each in kinds.items() if each.usual), "")
-    absent = f"by what is given, {usual} first" if usual else ""
+    absent = f"follows from the inputs; {usual} where several fit" if usual else ""
     made = Input(f"Law of the {of}", choices=lambda: tuple(sorted(kinds)), default=None, absent=absent)
     made.name = selector
     return made

@@ -20,8 +20,10 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.measure import friction_parts, integrate
+from softlube.errors import InputError
 from softlube.model.exact import far_field_profile
 from softlube.model.motions import FIXED_BALL
+from softlube.model.substrates import HalfSpaceKernel
 from softlube.steady.solution import Solution
 
 Array = NDArray[np.floating]
@@ -195,9 +197,16 @@ def vertical_balance(solution: Solution, radius: float = 8.0) -> VerticalBalance
 
     The mean of (6b) over the circle of nodes nearest to `radius`, a, is −∫p (2/π) K(k)/max(r, a) dA, k = min(r, a)/max(r, a),
     with the complete elliptic integral K.
+
+    Raises
+    ------
+    InputError
+        If the substrate is no half-space, for which alone (6b) holds.
     """
     from scipy.special import ellipkm1
 
+    if solution.problem.substrate != HalfSpaceKernel():
+        raise InputError("solution: the vertical balance is that of a half-space; horizontal_balance takes every substrate")
     fields = solution.fields
     chart = fields.chart
     ring = int(np.argmin(np.abs(fields.r - radius)))
