@@ -409,12 +409,10 @@ def _limited(trials: int) -> Tally:
 
 
 @contextmanager
-def _mounted(size: str, options: str = "") -> Iterator[Path | None]:
+def _mounted(size: str) -> Iterator[Path | None]:
     """A small file system of its own; None where it cannot be mounted."""
     with _folder() as folder:
-        done = subprocess.run(
-            ["mount", "-t", "tmpfs", "-o", f"size={size}{options}", "tmpfs", str(folder)], capture_output=True
-        )
+        done = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(folder)], capture_output=True)
         try:
             yield folder if done.returncode == 0 else None
         finally:
@@ -572,6 +570,8 @@ def main() -> int:
     parser.add_argument("kinds", nargs="*", metavar="kind", help=f"of {', '.join(KINDS)}; all if none is given")
     parser.add_argument("--quick", action="store_true", help="a few trials of each kind")
     options = parser.parse_args()
+    for number in (signal.SIGINT, signal.SIGHUP):  # a shell in the background, or nohup, has them ignored: also by the commands
+        signal.signal(number, signal.default_int_handler)
     tallies = []
     for name in options.kinds or KINDS:
         for tally in KINDS[name](options.quick):

@@ -11,6 +11,7 @@ from softlube.sweeps import store as store_module
 from softlube.sweeps.steady import SteadyTask
 from softlube.sweeps.store import Store
 from softlube.sweeps.tasks import Outcome
+from softlube.sweeps.work import content_key, solver_version
 
 DONE = Outcome(
     quantities={"film_min": (0.1, 1e-4), "boundary_layer": (float("nan"), float("nan"))},
@@ -144,3 +145,59 @@ def test_a_store_of_the_first_layout_is_taken_over(tmp_path):
     with Store(path) as store:
         save(store, "c", DONE)
         assert store.outcomes("c")["c"].facts == DONE.facts
+
+
+def fill(path, count=400):
+    """A store of outcomes on many pages."""
+    with Store(path) as store:
+        store._connection.execute("PRAGMA synchronous = OFF")
+        for number in range(count):
+            task = SteadyTask(Problem(beta=10.0 + number))
+            store.save(content_key(task, 1e-3), task, 1e-3, solver_version("steady"), DONE)
+
+
+@pytest.mark.parametrize("damage", ["page", "table", "release"])
+def test_a_damaged_store_is_refused_and_not_changed(tmp_path, damage):
+    path = tmp_path / "s"
+    fill(path)
+    if damage == "page":
+        content = bytearray(path.read_bytes())
+        content[4096 * 9 : 4096 * 10] = b"\xa5" * 4096
+        path.write_bytes(content)
+    else:
+        with sqlite3.connect(path) as connection:
+            connection.execute("DROP TABLE log" if damage == "table" else "PRAGMA user_version = 99")
+        connection.close()
+    before = path.read_bytes()
+    with pytest.raises(softlube.InputError, match="another release" if damage == "release" else "is damaged; .*--salvage"):
+        Store(path)
+    assert path.read_bytes() == before
+
+
+@pytest.mark.parametrize("column", ["quantities", "facts"])
+@pytest.mark.parametrize("content", ["{", '{"film_min": 3}', "[1]", '{"film_min": [[], 1]}'])
+def test_an_outcome_that_is_no_json_is_told_before_anything_is_solved(tmp_path, column, content):
+    with Store(tmp_path / "s") as store:
+        save(store, "a", DONE)
+        store._connection.execute(f"UPDATE outcomes SET {column} = ?", (content,))
+        if (column, content) == ("facts", '{"film_min": 3}'):
+            assert store.settled("a", **ASKED) == {"a"}
+            return
+        with pytest.raises(softlube.InputError, match=r"is damaged; .*an outcome is not readable"):
+            store.settled("a", **ASKED)
+
+
+def test_a_full_disk_is_told_and_the_store_goes_on(tmp_path):
+    """SQLite has rolled back by itself then; a second time would hide the reason."""
+    path = tmp_path / "s"
+    fill(path, 3)
+    with Store(path) as store:
+        (pages,) = store._connection.execute("PRAGMA page_count").fetchone()
+        store._connection.execute(f"PRAGMA max_page_count = {pages}")
+        large = Outcome(quantities=DONE.quantities, facts=DONE.facts, fields=bytes(100_000))
+        with pytest.raises(OSError, match=r"database or disk is full; what is finished is kept") as caught:
+            save(store, "a", large)
+        assert caught.value.filename == str(path)
+        store._connection.execute("PRAGMA max_page_count = 100000")
+        save(store, "a", large)
+        assert store.outcomes("a", fields=True)["a"].fields == large.fields

@@ -28,6 +28,7 @@ def sweep(
     workers: Annotated[int | None, WHOLE] = None,
     scheduler: str | None = None,
     retry_failed: Annotated[bool, Parameter(negative=())] = False,
+    salvage: str | None = None,
 ) -> int:
     """Solve all cases of a plan, each kept as soon as it is solved; run it again to take up what was broken off.
 
@@ -49,6 +50,8 @@ def sweep(
         Address of a Dask scheduler, such as tcp://host:8786, to solve on its workers.
     retry_failed
         Solve again what has failed before.
+    salvage
+        Solve nothing; copy what is sound in a damaged store into a new one of this name.
     """
     from pathlib import Path
 
@@ -70,6 +73,11 @@ def sweep(
         if path.resolve() in taken:
             raise InputError(f"{name}: {str(path)!r} is read by the plan, or written already; expected another file")
         taken.add(path.resolve())
+    if salvage is not None:
+        from softlube.sweeps.salvage import salvage as copy
+
+        print(f"Copied {copy(store_path, salvage)} outcomes from {store_path} to {salvage}")
+        return 0
     if fields is not None:
         check_folder("fields", fields)
     for notice in cases.notices:

@@ -7,15 +7,17 @@ store does not solve it, too; the claims of the dead lapse.
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import socket
 import sqlite3
 import time
 import uuid
-from collections.abc import Iterable, Mapping
+from collections.abc import Generator, Iterable
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 from softlube.errors import InputError
 from softlube.sweeps.tasks import Outcome, Task
@@ -73,26 +75,44 @@ class Store:
         while True:
             try:
                 self._connection = sqlite3.connect(self.path, timeout=PATIENCE, isolation_level=None)
+            except sqlite3.Error as error:
+                raise InputError(f"store: {str(path)!r} cannot be opened ({error})") from None
+            try:
                 self._prepare()
                 return
             except sqlite3.OperationalError as error:
+                self._connection.close()
                 # The change to a write-ahead log does not wait for other processes by itself.
                 if "locked" not in str(error) or time.monotonic() > deadline:
                     raise InputError(f"store: {str(path)!r} cannot be opened ({error})") from None
                 time.sleep(0.05)
             except sqlite3.DatabaseError as error:
-                raise InputError(f"store: {str(path)!r} is no store of a sweep ({error})") from None
+                self._connection.close()
+                what = "is no store of a sweep" if "not a database" in str(error) else f"is damaged; {_remedy(self.path)}"
+                raise InputError(f"store: {str(path)!r} {what} ({error})") from None
+            except BaseException:
+                self._connection.close()
+                raise
 
     def _prepare(self) -> None:
+        """Look whether it is a store, and sound, before anything is changed."""
         connection = self._connection
         application = connection.execute("PRAGMA application_id").fetchone()[0]
         layout = connection.execute("PRAGMA user_version").fetchone()[0]
-        tables = connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]
-        if tables and (application, layout) == (APPLICATION, 1):
+        tables = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        if tables:
+            if application != APPLICATION:
+                raise InputError(f"store: {str(self.path)!r} is a database of something else")
+            if layout not in (1, LAYOUT):
+                raise InputError(f"store: {str(self.path)!r} is of another release of softlube; expected a file of its own")
+            missing = {"outcomes", "claims", "log"} - tables
+            if missing:
+                raise sqlite3.DatabaseError(f"there is no table {missing.pop()!r}")
+            (found,) = connection.execute("PRAGMA quick_check(1)").fetchone()
+            if found != "ok":
+                raise sqlite3.DatabaseError(found.splitlines()[-1])
+        if tables and layout == 1:
             self._take_over()
-            layout = LAYOUT
-        if tables and (application, layout) != (APPLICATION, LAYOUT):
-            raise InputError(f"store: {str(self.path)!r} is a database of something else, or of another release of softlube")
         connection.execute("PRAGMA journal_mode = WAL")
         connection.execute("PRAGMA synchronous = FULL")
         if not tables:
@@ -101,12 +121,33 @@ class Store:
                 f"BEGIN IMMEDIATE; {_TABLES} PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {LAYOUT}; COMMIT;"
             )
 
+    @contextmanager
+    def _said(self) -> Generator[None]:
+        """What SQLite cannot do is an error of the system that names the file; what it finds damaged, one of the input."""
+        try:
+            yield
+        except sqlite3.OperationalError as error:
+            raise OSError(errno.EIO, f"{error}; what is finished is kept, run again to take it up", str(self.path)) from error
+        except sqlite3.DatabaseError as error:
+            raise InputError(f"store: {str(self.path)!r} is damaged; {_remedy(self.path)} ({error})") from error
+
+    @contextmanager
+    def _transaction(self) -> Generator[sqlite3.Connection]:
+        """Changes that are made all, or not at all."""
+        with self._said():
+            self._connection.execute("BEGIN IMMEDIATE")
+            try:
+                yield self._connection
+                self._connection.execute("COMMIT")
+            except BaseException:
+                with suppress(sqlite3.Error):  # where the disk is full, SQLite has rolled back already
+                    self._connection.execute("ROLLBACK")
+                raise
+
     def _take_over(self) -> None:
         """Bring a store of the first layout, which had steady cases only and their β in columns, into the present one."""
-        connection = self._connection
-        connection.create_function("facts", 3, _first_facts)
-        connection.execute("BEGIN IMMEDIATE")
-        try:
+        self._connection.create_function("facts", 3, _first_facts)
+        with self._transaction() as connection:
             if connection.execute("PRAGMA user_version").fetchone()[0] == 1:  # not by another process meanwhile
                 connection.execute("ALTER TABLE outcomes RENAME TO first_outcomes")
                 connection.execute(_TABLES.split(";")[0])
@@ -116,14 +157,11 @@ class Store:
                 )
                 connection.execute("DROP TABLE first_outcomes")
                 connection.execute(f"PRAGMA user_version = {LAYOUT}")
-            connection.execute("COMMIT")
-        except BaseException:
-            connection.execute("ROLLBACK")
-            raise
 
     def close(self) -> None:
         """Give up own claims and close the file."""
-        self._connection.execute("DELETE FROM claims WHERE owner = ?", (self.owner,))
+        with suppress(sqlite3.Error):  # they lapse with this process
+            self._connection.execute("DELETE FROM claims WHERE owner = ?", (self.owner,))
         self._connection.close()
 
     def __enter__(self) -> Store:
@@ -137,25 +175,36 @@ class Store:
     def outcomes(self, keys: Iterable[str], *, fields: bool = False) -> dict[str, Outcome]:
         """Outcomes of the keys that have one, with the bytes of their fields if asked for."""
         found: dict[str, Outcome] = {}
-        for key in keys:
-            row = self._connection.execute(
-                f"SELECT reason, quantities, facts, {'fields' if fields else 'NULL'} FROM outcomes WHERE key = ?",
-                (key,),
-            ).fetchone()
-            if row is not None:
-                found[key] = _outcome(row)
+        with self._said():
+            for key in keys:
+                row = self._connection.execute(
+                    f"SELECT reason, quantities, facts, {'fields' if fields else 'NULL'} FROM outcomes WHERE key = ?",
+                    (key,),
+                ).fetchone()
+                if row is not None:
+                    found[key] = outcome_of(row)
         return found
 
     def settled(self, keys: Iterable[str], *, fields: bool, retry_failed: bool) -> set[str]:
-        """Keys that need no solving: solved (with fields, if those are wanted), or failed unless failures are to be retried."""
-        wanted = set(keys)
-        rows = self._connection.execute("SELECT key, status, fields IS NOT NULL FROM outcomes").fetchall()
-        return {
-            key
-            for key, status, has_fields in rows
-            if key in wanted
-            and ((status == "done" and (has_fields or not fields)) or (status == "failed" and not retry_failed))
-        }
+        """Keys that need no solving: solved (with fields, if those are wanted), or failed unless failures are to be retried.
+
+        Raises
+        ------
+        InputError
+            If what is stored of one of the keys cannot be read.
+        """
+        settled = set()
+        with self._said():
+            for key in dict.fromkeys(keys):
+                row = self._connection.execute(
+                    "SELECT reason, quantities, facts, NULL, status, fields IS NOT NULL FROM outcomes WHERE key = ?", (key,)
+                ).fetchone()
+                if row is None:
+                    continue
+                outcome_of(row[:4])
+                if _is_settled(row[4], row[5], fields, retry_failed):
+                    settled.add(key)
+        return settled
 
     def save(self, key: str, task: Task, accuracy: float, solver: str, outcome: Outcome) -> None:
         """Keep an outcome and end the claim, in one transaction.  A failure never takes the place of a solution."""
@@ -173,9 +222,7 @@ class Store:
             outcome.fields,
             finished,
         )
-        connection = self._connection
-        connection.execute("BEGIN IMMEDIATE")
-        try:
+        with self._transaction() as connection:
             connection.execute(
                 "INSERT INTO outcomes VALUES (?,?,?,?,?,?,?,?,?,?) ON CONFLICT (key) DO UPDATE SET status = excluded.status, "
                 "reason = excluded.reason, quantities = excluded.quantities, facts = excluded.facts, "
@@ -185,28 +232,32 @@ class Store:
             )
             connection.execute("INSERT INTO log VALUES (?,?,?)", (key, status, finished))
             connection.execute("DELETE FROM claims WHERE key = ?", (key,))
-            connection.execute("COMMIT")
-        except BaseException:
-            connection.execute("ROLLBACK")
-            raise
+
+    def copy(self, rows: Iterable[tuple[Any, ...]]) -> None:
+        """Keep rows of another store, with all the columns of `outcomes`."""
+        with self._transaction() as connection:
+            for row in rows:
+                connection.execute("INSERT INTO outcomes VALUES (?,?,?,?,?,?,?,?,?,?)", row)
+                connection.execute("INSERT INTO log VALUES (?,?,?)", (row[0], row[4], row[-1]))
 
     def count_foreign(self, solvers: Iterable[str]) -> int:
         """How many outcomes came of none of these versions of the code."""
-        rows = self._connection.execute("SELECT solver, count(*) FROM outcomes GROUP BY solver")
+        with self._said():
+            rows = self._connection.execute("SELECT solver, count(*) FROM outcomes GROUP BY solver").fetchall()
         return sum(count for solver, count in rows if solver not in set(solvers))
 
     def counts(self) -> dict[str, int]:
         """How often each key was solved, over the life of the store."""
-        return dict(self._connection.execute("SELECT key, count(*) FROM log GROUP BY key"))
+        with self._said():
+            return dict(self._connection.execute("SELECT key, count(*) FROM log GROUP BY key"))
 
     # --- claims -----------------------------------------------------------------------------------------------------
 
     def claim(self, key: str, *, fields: bool, retry_failed: bool) -> Literal["ours", "settled", "theirs"]:
         """Reserve a task: ours to solve, settled meanwhile, or being solved by another process."""
-        connection = self._connection
-        connection.execute("BEGIN IMMEDIATE")
-        try:
-            if key in self._settled_now(key, fields, retry_failed):
+        with self._transaction() as connection:
+            row = connection.execute("SELECT status, fields IS NOT NULL FROM outcomes WHERE key = ?", (key,)).fetchone()
+            if row is not None and _is_settled(row[0], row[1], fields, retry_failed):
                 return "settled"
             row = connection.execute("SELECT owner, host, process, renewed FROM claims WHERE key = ?", (key,)).fetchone()
             if row is not None and row[0] != self.owner and not _lapsed(*row[1:]):
@@ -216,24 +267,41 @@ class Store:
                 (key, self.owner, socket.gethostname(), os.getpid(), time.time()),
             )
             return "ours"
-        finally:
-            connection.execute("COMMIT")
-
-    def _settled_now(self, key: str, fields: bool, retry_failed: bool) -> set[str]:
-        row = self._connection.execute("SELECT status, fields IS NOT NULL FROM outcomes WHERE key = ?", (key,)).fetchone()
-        if row is None or (row[0] == "failed" and retry_failed) or (row[0] == "done" and fields and not row[1]):
-            return set()
-        return {key}
 
     def renew(self) -> None:
         """Say that this process is alive; to be called well within `LEASE`."""
-        self._connection.execute("UPDATE claims SET renewed = ? WHERE owner = ?", (time.time(), self.owner))
+        with self._said():
+            self._connection.execute("UPDATE claims SET renewed = ? WHERE owner = ?", (time.time(), self.owner))
 
 
-def _outcome(row: tuple[str, str, str, bytes | None]) -> Outcome:
+def outcome_of(row: tuple[str, str, str, bytes | None]) -> Outcome:
+    """An outcome from its reason, quantities, facts and fields as they are stored.
+
+    Raises
+    ------
+    sqlite3.DatabaseError
+        If they are no such thing.
+    """
     reason, quantities, facts, fields = row
-    values: Mapping[str, list[float]] = json.loads(quantities)
-    return Outcome(reason, {name: (value, error) for name, (value, error) in values.items()}, json.loads(facts), fields)
+    values, known = {}, {}
+    try:
+        values = {name: (float(value), float(error)) for name, (value, error) in json.loads(quantities).items()}
+        known = json.loads(facts)
+        sound = isinstance(reason, str) and all(isinstance(each, (int, float, str)) for each in known.values())
+    except (ValueError, TypeError, AttributeError):
+        sound = False
+    if not sound:
+        raise sqlite3.DatabaseError("an outcome is not readable")
+    return Outcome(reason, values, known, fields)
+
+
+def _is_settled(status: str, has_fields: bool, fields: bool, retry_failed: bool) -> bool:
+    return (status == "done" and (has_fields or not fields)) or (status == "failed" and not retry_failed)
+
+
+def _remedy(path: Path) -> str:
+    name = path.name
+    return f"what is sound can be copied: softlube sweep PLAN --store {name} --salvage NEW, or sqlite3 {name} .recover"
 
 
 def _first_facts(status: str, beta: float | None, beta_load: float | None) -> str:
