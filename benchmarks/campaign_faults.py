@@ -114,7 +114,9 @@ class Command:
     def __init__(self, arguments: list[str], folder: Path, prelude: str = "") -> None:
         self.mark = f"{os.getpid()}-{time.monotonic_ns()}"
         environment = os.environ | {MARK: self.mark, "SOFTLUBE_CACHE": str(folder / "cache"), "OPENBLAS_NUM_THREADS": "1"}
-        code = f"{prelude}\nimport sys; sys.argv[1:] = {arguments!r}; from softlube.__main__ import main; sys.exit(main())"
+        code = f"{prelude}\nimport sys; sys.argv[1:] = {arguments!r}; from softlube.__main__ import main"
+        self.started = folder / f"started-{self.mark}"
+        code += f"; open({str(self.started)!r}, 'w').close(); sys.exit(main())"
         self.said = folder / f"said-{self.mark}"
         with open(self.said, "wb") as stream:
             self.process = subprocess.Popen(
@@ -330,9 +332,10 @@ def _signalled(tally: Tally, arguments: list[str], trials: int) -> Tally:
             plan(folder, 200, accuracy=1e-3, last=3e5)
             (folder / "data.csv").write_text(DATA)
             command = Command(arguments, folder)
-            time.sleep(0.1)  # the interpreter has started
+            while not command.started.exists():  # before, the interpreter starts, and no code of softlube is there to answer
+                time.sleep(0.01)
             try:
-                command.process.wait(chance.uniform(0.1, 4.0))
+                command.process.wait(chance.uniform(0.05, 4.0))
                 if command.process.returncode not in (0, 3):
                     raise SystemExit(f"{arguments}: ended before the signal: {command.error()}")
                 command.said.unlink()

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Group, Parameter
 
-from softlube.cli.inputs import FLOAT, WHOLE, takes
+from softlube.cli.inputs import takes
+from softlube.cli.numbers import FLOAT, WHOLE
 from softlube.errors import printable
 from softlube.physical.inputs import BODIES
 

@@ -8,7 +8,8 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from softlube.cli.echo import echo, understood
-from softlube.cli.inputs import FLOAT, GIVEN, PHYSICAL, one_contact, takes
+from softlube.cli.inputs import GIVEN, PHYSICAL, one_contact, takes
+from softlube.cli.numbers import FLOAT
 from softlube.errors import printable
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 

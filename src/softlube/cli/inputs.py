@@ -14,34 +14,11 @@ from softlube.model.inputs import Input
 from softlube.physical.inputs import names_of
 
 if TYPE_CHECKING:
-    from cyclopts import Token
-
     from softlube.solvers.progress import Listener
     from softlube.steady.solution import Solution
 
 PHYSICAL = Group("Physical contact (text with units, such as '2 mm')", sort_key=1)
 GIVEN = Group("Solved or dimensionless contact", sort_key=0)
-
-
-def _number(kind: object, tokens: Sequence[Token]) -> float:
-    """A number as softlube reads it everywhere: decimal commas, no signs between thousands, nothing infinite."""
-    from softlube.model.units import read_number
-
-    return read_number(tokens[0].value)
-
-
-def _whole(kind: object, tokens: Sequence[Token]) -> int:
-    """A whole number of nine digits at most."""
-    from softlube.errors import InputError
-    from softlube.model.units import WHOLE
-
-    if not WHOLE.fullmatch(tokens[0].value):
-        raise InputError(f"cannot read {tokens[0].value!r}: expected a whole number")
-    return int(tokens[0].value)
-
-
-FLOAT, WHOLE = Parameter(converter=_number, allow_leading_hyphen=True), Parameter(converter=_whole, allow_leading_hyphen=True)
-"""How options without unit are read: numbers, and whole numbers.  A negative one is a value, to be refused with the reason."""
 
 
 def takes(*options: tuple[Any, ...]) -> Callable[[Callable[..., int]], Command]:

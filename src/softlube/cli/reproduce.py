@@ -6,7 +6,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from softlube.cli.inputs import WHOLE
+from softlube.cli.numbers import WHOLE
 from softlube.errors import printable
 
 

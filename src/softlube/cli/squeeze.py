@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 from cyclopts import Group, Parameter
 
 from softlube.cli.echo import echo, understood
-from softlube.cli.inputs import FLOAT, PHYSICAL, takes
+from softlube.cli.inputs import PHYSICAL, takes
+from softlube.cli.numbers import FLOAT
 from softlube.errors import printable
 from softlube.model.motions import Sliding
 from softlube.physical.inputs import BODIES, Approach, StartOfSliding, names_of

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from softlube.cli.inputs import WHOLE
+from softlube.cli.numbers import WHOLE
 from softlube.errors import printable
 
 if TYPE_CHECKING:
