@@ -1,13 +1,16 @@
 """The same sweep on a Dask cluster: same store, same table, also when a worker is killed."""
 
+import socket
 import subprocess
 import sys
+import threading
 import time
 
 import pandas as pd
 import pytest
 
 import softlube
+from softlube.solvers.processes import WorkerDied
 
 distributed = pytest.importorskip("distributed")
 
@@ -58,6 +61,45 @@ def test_a_lost_connection_is_no_failure_of_the_case():
         executor._running[future][1].cancel()
         with pytest.raises(ConnectionResetError, match="run again to take it up"):
             future.result(60)
+        executor.close()
+
+
+def test_what_answers_is_no_scheduler():
+    """A server of something else, whose bytes read as a message of exabytes."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def answer():
+            connection, _ = server.accept()
+            with connection:
+                connection.sendall(b"HTTP/1.1 400 Bad Request\r\n\r\n" * 10)
+
+        thread = threading.Thread(target=answer, daemon=True)
+        thread.start()
+        with pytest.raises(softlube.InputError, match="cannot reach"):
+            softlube.sweep(PARAMETERS, scheduler=f"tcp://127.0.0.1:{server.getsockname()[1]}")
+        thread.join(30)
+
+
+def test_a_task_whose_worker_goes_is_given_back_and_a_deserted_cluster_is_told(monkeypatch):
+    from softlube.model.problem import Problem
+    from softlube.sweeps import executors
+    from softlube.sweeps.steady import SteadyTask
+
+    monkeypatch.setattr(executors, "DESERTED", 0.5)
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
+    ) as cluster:
+        executor = executors.Dask(cluster.scheduler_address, ["steady"])
+        (lane,) = executor.lanes()
+        future = executor.submit((lane[0] + "0", 0), SteadyTask(Problem(beta=1000)), 0.1, False)  # a worker that is not there
+        assert executor.lanes() == [lane]
+        with pytest.raises(WorkerDied, match="its worker has gone"):
+            future.result(0)
+        executor._peopled -= 1.0
+        monkeypatch.setattr(executor._client, "sync", lambda *arguments, **options: {"workers": {}})
+        with pytest.raises(ConnectionResetError, match=r"no worker for .*run again to take it up"):
+            executor.lanes()
+        monkeypatch.undo()
         executor.close()
 
 
