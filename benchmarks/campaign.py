@@ -66,7 +66,7 @@ KINDS = {
     "plan": Kind("campaign_readers", "plan", 1500, 20),
     "netcdf": Kind("campaign_readers", "netcdf_file", 1700, 20),
     "command": Kind("campaign_readers", "command", 300, 60),
-    "contacts": Kind("campaign_contacts", "contact", 2000, 90),
+    "contacts": Kind("campaign_contacts", "contact", 2000, 300),
 }
 """Kinds of input.  Faults of disk, processes and workers are kinds of the module `campaign_faults`, where that is there."""
 with suppress(ModuleNotFoundError):

@@ -16,6 +16,7 @@ import softlube
 from softlube import curve
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.liquids.roelands import ROELANDS_PRESSURE, ROELANDS_VISCOSITY
 
 ACCURACY = 0.05
 TOLERANCE = 0.1
@@ -35,8 +36,9 @@ def contact(seed: int, number: int, folder: Path) -> tuple[str, str]:
 
 
 def inputs(rng: Random) -> dict[str, Any]:
-    """A contact whose slope is small, with β between 10⁻² and 10⁶ or nearly so."""
-    radius, modulus = 10 ** rng.uniform(-4, -1), 10 ** rng.uniform(4, 8)
+    """A contact whose slope is small, with β between 10⁻² and 10⁶ or nearly so, soft, or hard with an oil of Roelands."""
+    hard = rng.random() < 0.15
+    radius, modulus = 10 ** rng.uniform(-4, -1), 10 ** (rng.uniform(9.5, 11.3) if hard else rng.uniform(4, 8))
     depth = radius * 10 ** rng.uniform(-4, -1.7)
     viscosity, beta = 10 ** rng.uniform(-3, 2), 10 ** rng.uniform(-2, 6)
     speed = 2 / 3 * depth**2 / radius * np.pi * modulus / 3 / (viscosity * beta)
@@ -51,10 +53,13 @@ def inputs(rng: Random) -> dict[str, Any]:
         given["thickness"] = np.sqrt(radius * depth) * 10 ** rng.uniform(-0.3, 1.3)
         given["poisson_ratio"] = rng.choice([0.3, 0.45, 0.49, 0.5])
         given["base"] = rng.choice(["bonded", "frictionless"])
-    if rng.random() < 0.35:
-        pressure = 4 / (3 * np.pi) * modulus * np.sqrt(depth / radius)
+    pressure = 4 / (3 * np.pi) * modulus * np.sqrt(depth / radius)
+    if hard:
+        exponent = min(rng.uniform(0.2, 0.9), 10 * ROELANDS_PRESSURE / pressure)
+        given["pressure_viscosity"] = exponent * np.log(viscosity / ROELANDS_VISCOSITY) / ROELANDS_PRESSURE
+        given["viscosity_law"] = "roelands"
+    elif rng.random() < 0.25:
         given["pressure_viscosity"] = 10 ** rng.uniform(-1, 1) / pressure
-        given["viscosity_law"] = rng.choice(["barus", "roelands"])
     if rng.random() < 0.25:
         given["density_law"] = "dowson-higginson"
     if rng.random() < 0.2:
