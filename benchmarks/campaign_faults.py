@@ -69,7 +69,7 @@ COMMANDS = {
     "stribeck": ["stribeck", *HARD, "--from", "1 mm/s", "--to", "1 m/s", "--output", "stribeck.csv"],
     "sweep": ["sweep", "plan.toml", "--workers", "2"],
     "squeeze": ["squeeze", *BALL, "--initial-height", "100 um", "--duration", "1 s", "--accuracy", "2e-4", "--output", "o.nc"],
-    "solve": ["solve", "--beta", "3e5", "--accuracy", "2e-4", "--output", "o.nc"],
+    "solve": ["solve", "--beta", "1e6", "--accuracy", "1e-3", "--output", "o.nc"],
 }
 
 
@@ -113,11 +113,12 @@ class Command:
 
     def __init__(self, arguments: list[str], folder: Path, prelude: str = "") -> None:
         self.mark = f"{os.getpid()}-{time.monotonic_ns()}"
+        notes = Path(tempfile.gettempdir())  # not in the folder, whose disk may be full
         environment = os.environ | {MARK: self.mark, "SOFTLUBE_CACHE": str(folder / "cache"), "OPENBLAS_NUM_THREADS": "1"}
         code = f"{prelude}\nimport sys; sys.argv[1:] = {arguments!r}; from softlube.__main__ import main"
-        self.started = folder / f"started-{self.mark}"
+        self.started = notes / f"started-{self.mark}"
         code += f"; open({str(self.started)!r}, 'w').close(); sys.exit(main())"
-        self.said = folder / f"said-{self.mark}"
+        self.said = notes / f"said-{self.mark}"
         with open(self.said, "wb") as stream:
             self.process = subprocess.Popen(
                 [sys.executable, "-c", code], cwd=folder, env=environment, stdout=subprocess.DEVNULL, stderr=stream
@@ -139,10 +140,15 @@ class Command:
             time.sleep(0.05)
         return found
 
+    def forget(self) -> None:
+        """Remove what it said."""
+        for path in (self.said, self.started):
+            path.unlink(missing_ok=True)
+
     def error(self) -> str:
         """What it said on standard error."""
         text = self.said.read_text(errors="replace")
-        self.said.unlink()
+        self.forget()
         return text
 
 
@@ -197,7 +203,7 @@ def undisturbed(folder: Path) -> bytes:
     code = command.wait(600)
     if code:
         raise SystemExit(f"the undisturbed sweep ended with {code}: {command.error()}")
-    command.said.unlink()
+    command.forget()
     return (folder / "whole.csv").read_bytes()
 
 
@@ -338,7 +344,7 @@ def _signalled(tally: Tally, arguments: list[str], trials: int) -> Tally:
                 command.process.wait(chance.uniform(0.05, 4.0))
                 if command.process.returncode not in (0, 3):
                     raise SystemExit(f"{arguments}: ended before the signal: {command.error()}")
-                command.said.unlink()
+                command.forget()
                 continue
             except subprocess.TimeoutExpired:
                 began = time.monotonic()
@@ -394,7 +400,7 @@ def _limited(trials: int) -> Tally:
             command = Command(arguments, folder, LIMIT.format(size=size))
             code = command.wait(120)
             if code == 0:
-                command.said.unlink()
+                command.forget()
                 continue  # it fitted
             began = time.monotonic()
             said = judge(tally, command, code, began)
@@ -476,8 +482,10 @@ def _vanished(trials: int) -> Tally:
     for _ in range(trials):
         with _folder() as folder:
             (folder / "there").mkdir()
-            command = Command(["solve", "--beta", "3e5", "--accuracy", "2e-4", "--output", "there/o.nc"], folder)
-            time.sleep(0.7)
+            command = Command(["solve", "--beta", "1e6", "--accuracy", "1e-3", "--output", "there/o.nc"], folder)
+            while not command.started.exists():
+                time.sleep(0.01)
+            time.sleep(0.6)  # the folder has been looked at
             (folder / "there").rmdir()
             _refused(tally, command, {}, (1, 2))
     return tally
