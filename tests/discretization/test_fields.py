@@ -38,7 +38,7 @@ def test_gradients_between_the_nodes():
     """∇ exp(−2[(x + 0.2)² + y²]) = −4 (x + 0.2, y) exp(…)."""
     at = fields(GAUSSIAN, np.ones_like(X))
     r, theta = np.array([0.15, 0.6, 1.1]), np.array([0.2, 1.5, 2.7])
-    along, across = at.gradient_on(GRID.xi_of(r), GRID.s_of(theta))
+    along, across = at.gradient_on(at.mesh.places(GRID.xi_of(r), GRID.s_of(theta)))
     x, y = r[:, None] * np.cos(theta), r[:, None] * np.sin(theta)
     value = np.exp(-2 * ((x + 0.2) ** 2 + y**2))
     assert along == pytest.approx(-4 * (x + 0.2) * value, abs=1e-3)
@@ -49,7 +49,7 @@ def test_a_thick_liquid_has_its_viscosity_and_its_reduced_pressure():
     at = replace(fields(GAUSSIAN, np.ones_like(X)), liquid=BarusLaw(3.0))
     xi, s = GRID.xi_of(np.array([0.5])), GRID.s_of(np.array([0.7]))
     pressure = float(at.pressure_at(0.5, 0.7))
-    assert at.viscosity_on(xi, s)[0, 0] == pytest.approx(np.exp(3 * pressure), rel=1e-12)
+    assert at.viscosity_on(at.mesh.places(xi, s))[0, 0] == pytest.approx(np.exp(3 * pressure), rel=1e-12)
     assert at.reduced_spline(xi, s)[0, 0] == pytest.approx((1 - np.exp(-3 * pressure)) / 3, rel=1e-4)
     thin = fields(GAUSSIAN, np.ones_like(X))
     assert thin.reduced_spline is thin.pressure_spline

@@ -8,7 +8,8 @@ from scipy import sparse
 
 from softlube.discretization.elasticity import elastic_operator
 from softlube.discretization.grid import PolarGrid
-from softlube.discretization.preconditioner import Border, FilmEquation, local_stiffness
+from softlube.discretization.preconditioner import Border, FilmBalance, FilmEquation, local_stiffness
+from softlube.discretization.reynolds import Differences
 from softlube.discretization.system import ContactSystem
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
@@ -81,6 +82,12 @@ def test_stiffness_inverts_ripples_and_overrates_waves_that_reach_farther(elasti
 SIZE = 24
 
 
+@pytest.fixture
+def double(monkeypatch):
+    """Factors that nothing is lost in."""
+    monkeypatch.setattr("softlube.solvers.band.PRECISION", np.float64)
+
+
 def banded(rng, diagonal):
     bands = [rng.normal(size=SIZE - abs(k)) + (diagonal if k == 0 else 0) for k in (-2, -1, 0, 1, 2)]
     return sparse.csr_array(sparse.diags_array(bands, offsets=[-2, -1, 0, 1, 2]))
@@ -95,18 +102,20 @@ class Exact:
         self.film = 0.1 + rng.random(SIZE)
         self.free = ~np.isin(np.arange(SIZE), held)
         self.jacobian = self.by_pressure.toarray() + self.by_film.toarray() @ np.linalg.inv(self.stiffness.toarray())
-        self.border = Border(rng.normal(size=SIZE), rng.normal(size=SIZE), 2.0) if bordered else None
+        self.border = Border(rng.normal(size=SIZE), rng.normal(size=SIZE), 2.0, 1.0) if bordered else None
         if bordered:
             self.jacobian = np.block(
                 [[self.jacobian, self.border.column[:, None]], [self.border.row, np.array([self.border.corner])]]
             )
 
     def equation(self, border=None):
+        # Each node its own face, so that the derivatives of the fluxes are those of the balance.
+        identity = sparse.csr_array(sparse.eye_array(SIZE))
+        balance = FilmBalance(Differences(self.by_pressure, self.by_pressure, self.by_pressure, -identity), self.stiffness)
         return FilmEquation(
             lambda step: self.jacobian @ step,
-            self.by_pressure,
-            self.by_film,
-            self.stiffness,
+            balance,
+            balance.entries(self.by_pressure.data, self.by_film.data),
             self.free,
             self.film,
             border or self.border,
@@ -124,13 +133,13 @@ def matrix_of(equation, size=None):
 
 
 @pytest.mark.parametrize("bordered", [False, True])
-def test_with_an_exact_stiffness_the_operator_is_the_identity(bordered):
+def test_with_an_exact_stiffness_the_operator_is_the_identity(bordered, double):
     case = Exact(1, bordered)
     assert matrix_of(case.equation()) == pytest.approx(np.eye(case.jacobian.shape[0]), abs=1e-11)
 
 
 @pytest.mark.parametrize("bordered", [False, True])
-def test_with_an_exact_stiffness_the_right_hand_side_is_the_solution_with_nodes_held_too(bordered):
+def test_with_an_exact_stiffness_the_right_hand_side_is_the_solution_with_nodes_held_too(bordered, double):
     case = Exact(2, bordered, held=[0, 5, 6, 7, 23])
     equation, residual = case.equation(), case.residual()
     right = equation.right(residual)
@@ -145,7 +154,7 @@ def test_with_an_exact_stiffness_the_right_hand_side_is_the_solution_with_nodes_
 
 
 @pytest.mark.parametrize("change", [{"column": -1.0}, {"row": 0.5}, {"corner": 3.0}])
-def test_a_wrong_border_spoils_the_identity(change):
+def test_a_wrong_border_spoils_the_identity(change, double):
     case = Exact(3, bordered=True)
     wrong = replace(case.border, **{name: factor * getattr(case.border, name) for name, factor in change.items()})
     identity = np.eye(SIZE + 1)
@@ -166,7 +175,7 @@ def linearised(problem):
 
 
 @pytest.mark.parametrize("problem", PROBLEMS)
-def test_the_equation_is_newton_s(problem):
+def test_the_equation_is_newton_s(problem, double):
     """Solved as it stands it gives the step of the exact dense Jacobian; only the way there is approximate."""
     at, free = linearised(problem)
     equation = at.equation(free)
@@ -179,7 +188,7 @@ def test_the_equation_is_newton_s(problem):
 
 
 @pytest.mark.parametrize("problem", PROBLEMS)
-def test_an_old_preconditioner_serves_the_next_jacobian(problem):
+def test_an_old_preconditioner_serves_the_next_jacobian(problem, double):
     """`at` keeps what is approximate and takes the new Jacobian: solved, it is that of the new state."""
     at, free = linearised(problem)
     old = at.equation(free)

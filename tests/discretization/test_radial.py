@@ -21,9 +21,10 @@ def test_orders_left_out_are_interpolated():
     assert weights.sum(axis=1) == pytest.approx(1, abs=1e-12)
     n_low = len(operator.radial)
     assert operator.radial == pytest.approx(exact[:n_low], rel=1e-12, abs=1e-12)
+    high = np.stack([operator.radial_high.row(ring) for ring in range(grid.shape[0])])
     for m in range(n_low, n_modes):
         own = np.abs(exact[m, 4:, 4:]).sum(axis=1)
-        assert np.all(np.abs(operator.radial_high[m - n_low, 4:, 4:] - exact[m, 4:, 4:]).sum(axis=1) < 6e-5 * own), m
+        assert np.all(np.abs(high[4:, m - n_low, 4:] - exact[m, 4:, 4:]).sum(axis=1) < 6e-5 * own), m
 
 
 @pytest.mark.parametrize("thickness", [0.15, 0.6, 3.0])

@@ -30,12 +30,10 @@ def test_the_poiseuille_part_is_the_moment_of_the_pressure(solution):
     """
     fields = solution.fields
     reach = 0.8 * fields.r[-1]
-    part = integrate(fields, lambda xi, s: 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0], reach)
+    part = integrate(fields, lambda at: 3 * fields.film_on(at) * fields.gradient_on(at)[0], reach)
     moment = integrate(
         fields,
-        lambda xi, s: (
-            3 * fields.pressure_spline(xi, s) * fields.chart.r_of(xi)[:, None] * np.cos(fields.chart.theta_of(s))[None, :]
-        ),
+        lambda at: 3 * fields.pressure_on(at) * at.r[:, None] * at.cosine,
         reach,
     )
     angle = np.linspace(0, np.pi, 2001)

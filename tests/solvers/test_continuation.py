@@ -36,11 +36,9 @@ class ScalarAt:
     def equation(self, free):
         return DenseEquation.of(self.jacobian, free)
 
-    def size(self, step):
-        return float(np.max(np.abs(step)))
-
-    def longest_step(self, step):
-        return min(1.0, self.longest / max(self.size(step), 1e-300))
+    def reach(self, step):
+        size = float(np.max(np.abs(step)))
+        return size, min(1.0, self.longest / max(size, 1e-300))
 
 
 def test_a_solution_is_followed_to_where_newton_would_not_find_it():

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
-from scipy.fft import dct
 
 from softlube.discretization.grid import RIM, PolarGrid
 from softlube.discretization.potentials import ring_kernels
@@ -27,6 +26,10 @@ BEYOND_NYQUIST = 1.15
 """Number of harmonics over π divided by the smallest angular interval, the highest harmonic that this interval resolves.
 
 At β = 10⁸ 1.3 and 1.6 change quantities by 10⁻⁵ at most, 1.0 by 2·10⁻⁵ (docs/notes/numerical-method.md)."""
+ORDERS, RINGS, UNSEEN = 64, 28, 1e-7
+"""Orders and rings of a block of `HighHarmonics`, and what is left out of it over the largest entry of a row.
+
+At β = 10⁸ the blocks hold half of all entries; smaller ones hold less and are slower."""
 FINE_ANGLES = 4000
 """Points on the half-circle for the cosine coefficients of the far field's profile, whose second derivative jumps."""
 
@@ -66,9 +69,8 @@ class ElasticOperator:
     ----------
     radial : ndarray, shape (n_low, N, N)
         Ring operators of the low harmonics, see `radial_operators`; N radii with the rim.
-    radial_high : ndarray of float32, shape (n_modes − n_low, N, N)
-        Ring operators of the other harmonics.  They are most of the work, and so small a part of the displacement that single
-        precision changes films by 10⁻⁹.
+    radial_high : HighHarmonics
+        Ring operators of the other harmonics.
     synthesis, analysis : ndarray
         From harmonics to nodal values in θ and back, see `angular_transform`.
     load_weights : ndarray, shape (n,)
@@ -82,7 +84,7 @@ class ElasticOperator:
     """
 
     radial: Array
-    radial_high: NDArray[np.float32]
+    radial_high: HighHarmonics
     synthesis: Array
     analysis: Array
     load_weights: Array
@@ -103,16 +105,67 @@ class ElasticOperator:
         -------
         ndarray, shape (n,)
         """
-        rings = pressure.reshape(-1, self.analysis.shape[1])
-        harmonics, inner, n_low = (self.analysis @ rings.T)[:, :, None], slice(rings.shape[0]), len(self.radial)
-        low = np.matmul(self.radial[:, :, inner], harmonics[:n_low])
-        high = np.matmul(self.radial_high[:, :, inner], harmonics[n_low:].astype(self.radial_high.dtype))
-        return (self.synthesis @ np.concatenate([low, high])[:, :, 0]).T.ravel()
+        n_low, n_rings, n_angles = len(self.radial), self.radial.shape[1], self.analysis.shape[1]
+        harmonics = np.zeros((self.analysis.shape[0], n_rings), dtype=pressure.dtype)
+        rings = pressure.reshape(-1, n_angles)
+        np.matmul(self.analysis, rings.T, out=harmonics[:, : len(rings)])
+        low = np.matmul(self.radial, harmonics[:n_low, :, None])[:, :, 0]
+        displaced = np.concatenate([low, self.radial_high @ harmonics[n_low:]])
+        return (self.synthesis @ displaced).T.ravel()
 
     def ring_coupling(self, target: int, sources: slice) -> Array:
         """Matrices from the pressures on some rings to the deflection of one, shape (number of sources, n_angles, n_angles)."""
-        radial = np.concatenate([each[:, target, sources] for each in (self.radial, self.radial_high)])
+        radial = np.concatenate([self.radial[:, target, sources], self.radial_high.row(target)[:, sources]])
         return np.matmul(self.synthesis * radial.T[:, None, :], self.analysis)
+
+
+@dataclass(frozen=True)
+class HighHarmonics:
+    """Ring operators of harmonics that reach a few rings only: those of some orders and some rings, from the rings they reach.
+
+    They are most of the work, and so small a part of the displacement that single precision changes films by 10⁻⁹.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        Number of orders and of rings.
+    blocks : tuple of (slice, slice, slice, ndarray)
+        Orders, target rings, source rings, and the matrices between them in single precision.
+    """
+
+    shape: tuple[int, int]
+    blocks: tuple[tuple[slice, slice, slice, Array], ...]
+
+    @classmethod
+    def of(cls, weights: Array, sampled: Array) -> HighHarmonics:
+        """The operators that some weights, shape (orders, sampled), make of sampled ones, shape (sampled, rings, rings)."""
+        shape, blocks = (len(weights), sampled.shape[1]), []
+        for order in range(0, shape[0], ORDERS):
+            orders = slice(order, min(order + ORDERS, shape[0]))
+            whole = (weights[orders] @ sampled.reshape(len(sampled), -1)).reshape(-1, *sampled.shape[1:])
+            reached = np.any(np.abs(whole) > UNSEEN * np.max(np.abs(whole), axis=2, keepdims=True), axis=0)
+            for ring in range(0, shape[1], RINGS):
+                targets = slice(ring, min(ring + RINGS, shape[1]))
+                near = np.flatnonzero(reached[targets].any(axis=0))
+                sources = slice(int(near[0]), int(near[-1]) + 1)
+                blocks.append((orders, targets, sources, whole[:, targets, sources].copy()))
+        return cls(shape, tuple(blocks))
+
+    def __matmul__(self, harmonics: Array) -> Array:
+        """Displacement, shape (orders, rings), by the harmonics of the pressure on the rings."""
+        kind = self.blocks[0][3].dtype if self.blocks else harmonics.dtype
+        result, harmonics = np.empty(self.shape, kind), harmonics.astype(kind)
+        for orders, targets, sources, matrices in self.blocks:
+            result[orders, targets] = np.matmul(matrices, harmonics[orders, sources, None])[:, :, 0]
+        return result
+
+    def row(self, target: int) -> Array:
+        """What the displacement of one ring takes from all, shape (orders, rings)."""
+        result = np.zeros(self.shape)
+        for orders, targets, sources, matrices in self.blocks:
+            if targets.start <= target < targets.stop:
+                result[orders, sources] = matrices[:, target - targets.start]
+        return result
 
 
 def elastic_operator(grid: PolarGrid, cavitation: str, remainder: Remainder | None = None) -> ElasticOperator:
@@ -121,7 +174,7 @@ def elastic_operator(grid: PolarGrid, cavitation: str, remainder: Remainder | No
     n_modes = analysis.shape[0]
     orders, spread = sampled_orders(n_modes)
     kernels, weights = radial_operators(grid, orders, remainder)
-    sampled = kernels.astype(np.float32).reshape(orders.size, -1)
+    single = spread[EVERY_ORDER:].astype(np.float32), kernels.astype(np.float32)
 
     # Beyond the contact u = h₀ + r²/2 up to O(1/r), so p = f(θ)/(βr³)·(1 − 4h₀/r²), Eq. (9) with its first correction
     # (from Kapitza's solution).  With r′ = a/t the integral over (a, ∞) becomes one over t in (0, 1).
@@ -137,14 +190,16 @@ def elastic_operator(grid: PolarGrid, cavitation: str, remainder: Remainder | No
     kernel *= dt / a
     # The profile has a kink in its second derivative at the front, so its coefficients are taken on a fine mesh.
     angle = (np.arange(FINE_ANGLES) + 0.5) * np.pi / FINE_ANGLES
-    harmonics = dct(far_field_profile(angle, cavitation), type=2)[:n_modes] / FINE_ANGLES
+    profile = far_field_profile(angle, cavitation)
+    waves = np.fft.rfft(np.concatenate([profile, profile[::-1]]))[:n_modes]
+    harmonics = (waves * np.exp(-0.5j * np.pi / FINE_ANGLES * np.arange(n_modes))).real / FINE_ANGLES
     harmonics[0] /= 2
     parts = spread @ np.stack([kernel.sum(-1), kernel @ (-4 * (t / a) ** 2)])
     far_displacement = (parts.swapaxes(1, 2) @ (harmonics[:, None] * synthesis.T)).reshape(2, -1)
 
     return ElasticOperator(
         radial=kernels[: min(n_modes, EVERY_ORDER)].copy(),
-        radial_high=(spread[EVERY_ORDER:].astype(np.float32) @ sampled).reshape(-1, *kernels.shape[1:]),
+        radial_high=HighHarmonics.of(*single),
         synthesis=synthesis,
         analysis=analysis,
         load_weights=2 * np.pi * np.outer(weights, analysis[0]).ravel(),

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import RectBivariateSpline
 
+from softlube.discretization.splines import Spline, Weights
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.problem import Cavitation
 
@@ -22,6 +22,10 @@ Beyond it a cubic interpolant overshoots between the flanks of a spike (docs/not
 benchmarks/spike_sphere.py)."""
 
 
+MARGIN = 5
+"""Nodes beyond θ = 0 and π in a spline: what its end does has died out before them."""
+
+
 class Chart(Protocol):
     """Coordinates (ξ, s) in which fields are interpolated: ξ odd in r, θ(s) mapping [0, π] onto itself."""
 
@@ -32,6 +36,40 @@ class Chart(Protocol):
     def theta_of(self, s: ArrayLike) -> Array: ...
     def dtheta_ds(self, s: ArrayLike) -> Array: ...
     def scaled(self, factor: float) -> Chart: ...
+
+
+class Mesh:
+    """Nodes in polar coordinates, and in those of a chart with their images across the centre and across θ = 0 and π.
+
+    Parameters
+    ----------
+    chart : Chart
+        The coordinates.
+    r, theta : ndarray, shape (n_r,) and (n_theta,)
+        See `Fields`.
+    """
+
+    def __init__(self, chart: Chart, r: Array, theta: Array) -> None:
+        self.chart, self.r, self.theta = chart, r, theta
+        self.xi, self.s = chart.xi_of(r), chart.s_of(theta)
+        self.centre = int(r[0] == 0)  # whether there is a ring at the centre, which is its own image
+        self.xi_nodes = np.concatenate([-self.xi[self.centre :][::-1], self.xi])
+        self.s_nodes = np.concatenate([-self.s[MARGIN:0:-1], self.s, 2 * np.pi - self.s[-2 : -2 - MARGIN : -1]])
+
+    @cached_property
+    def nodes(self) -> Places:
+        """The nodes, without the innermost ring."""
+        return self.places(self.xi[1:], self.s)
+
+    def places(self, xi: Array, s: Array) -> Places:
+        """The product of chart coordinates ξ and s."""
+        return Places(self, xi, s)
+
+
+@lru_cache(maxsize=16)
+def _mesh(chart: Chart, r: bytes, theta: bytes) -> Mesh:
+    """The mesh of some nodes; meshes come again, and much is known of their places then."""
+    return Mesh(chart, np.frombuffer(r), np.frombuffer(theta))
 
 
 @dataclass(frozen=True)
@@ -96,31 +134,31 @@ class Fields:
         """Whether the pressure is not smooth on its grid, because of a spike, whose height converges like the spacing only."""
         return self.steepest_fall > SHARP
 
-    def _spline(self, values: Array) -> RectBivariateSpline:
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The nodes."""
+        return _mesh(self.chart, self.r.tobytes(), self.theta.tobytes())
+
+    def _spline(self, values: Array) -> Spline:
         """Cubic spline through nodal values, continued evenly across θ = 0 and π and through the centre."""
-        start = 1 if self.r[0] == 0 else 0
-        xi = self.chart.xi_of(self.r)
-        s = self.chart.s_of(self.theta)
-        margin = 5
-        values = np.concatenate([values[start:][::-1, ::-1], values])
-        values = np.concatenate([values[:, margin:0:-1], values, values[:, -2 : -2 - margin : -1]], axis=1)
-        xi = np.concatenate([-xi[start:][::-1], xi])
-        s = np.concatenate([-s[margin:0:-1], s, 2 * np.pi - s[-2 : -2 - margin : -1]])
-        return RectBivariateSpline(xi, s, values, kx=3, ky=3, s=0)
+        mesh = self.mesh
+        values = np.concatenate([values[mesh.centre :][::-1, ::-1], values])
+        values = np.concatenate([values[:, MARGIN:0:-1], values, values[:, -2 : -2 - MARGIN : -1]], axis=1)
+        return Spline.through(mesh.xi_nodes, mesh.s_nodes, values)
 
     @cached_property
-    def pressure_spline(self) -> RectBivariateSpline:
+    def pressure_spline(self) -> Spline:
         """p̄(ξ, s)."""
         return self._spline(self.pressure)
 
     @cached_property
-    def reduced_spline(self) -> RectBivariateSpline:
+    def reduced_spline(self) -> Spline:
         """Reduced pressure q = ∫ η₀/η dp (ξ, s): its gradient drives the flow, and it is smooth at a spike of p̄."""
         reduced = self.liquid.reduced_pressure(self.pressure)
         return self.pressure_spline if reduced is self.pressure else self._spline(reduced)
 
     @cached_property
-    def film_spline(self) -> RectBivariateSpline:
+    def film_spline(self) -> Spline:
         """ū(ξ, s)."""
         return self._spline(self.film)
 
@@ -145,14 +183,78 @@ class Fields:
         xi, s = self._place(r, theta)
         return self.film_spline(xi, s, grid=False)
 
-    def viscosity_on(self, xi: Array, s: Array) -> Array:
-        """η(p)/η₀ on the product of chart coordinates."""
-        return self.liquid.viscosity(self.pressure_spline(xi, s))
+    def film_on(self, at: Places) -> Array:
+        """ū at places."""
+        return self.film_spline.on(at.across, at.along)
 
-    def gradient_on(self, xi: Array, s: Array, spline: RectBivariateSpline | None = None) -> tuple[Array, Array]:
-        """Cartesian gradient of the pressure, or of another spline, on the product of chart coordinates ξ > 0 and s."""
+    def pressure_on(self, at: Places) -> Array:
+        """p̄ at places."""
+        return self.pressure_spline.on(at.across, at.along)
+
+    def viscosity_on(self, at: Places) -> Array:
+        """η(p)/η₀ at places."""
+        return self.liquid.viscosity(self.pressure_on(at))
+
+    def gradient_on(self, at: Places, spline: Spline | None = None) -> tuple[Array, Array]:
+        """Cartesian gradient of the pressure, or of another spline, at places with ξ > 0."""
         spline = self.pressure_spline if spline is None else spline
-        r, theta = self.chart.r_of(xi), self.chart.theta_of(s)
-        by_r = spline(xi, s, dx=1) / self.chart.dr_dxi(r)[:, None]
-        by_theta = spline(xi, s, dy=1) / self.chart.dtheta_ds(s) / r[:, None]
-        return np.cos(theta) * by_r - np.sin(theta) * by_theta, np.sin(theta) * by_r + np.cos(theta) * by_theta
+        by_r = spline.on(at.across, at.along, dx=1) / at.dr_dxi[:, None]
+        by_theta = spline.on(at.across, at.along, dy=1) / at.dtheta_ds / at.r[:, None]
+        return at.cosine * by_r - at.sine * by_theta, at.sine * by_r + at.cosine * by_theta
+
+
+@dataclass(frozen=True)
+class Places:
+    """The product of chart coordinates ξ and s, with all that depends on the places only.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        On whose nodes the splines lie that are evaluated there.
+    xi, s : ndarray
+        Increasing, of one dimension each.
+    """
+
+    mesh: Mesh
+    xi: Array
+    s: Array
+
+    @cached_property
+    def across(self) -> Weights:
+        """Weights of the cubics along ξ."""
+        return Weights(self.mesh.xi_nodes, self.xi)
+
+    @cached_property
+    def along(self) -> Weights:
+        """Weights of the cubics along s."""
+        return Weights(self.mesh.s_nodes, self.s)
+
+    @cached_property
+    def r(self) -> Array:
+        """Radii."""
+        return self.mesh.chart.r_of(self.xi)
+
+    @cached_property
+    def dr_dxi(self) -> Array:
+        """Derivative dr/dξ."""
+        return self.mesh.chart.dr_dxi(self.r)
+
+    @cached_property
+    def theta(self) -> Array:
+        """Angles."""
+        return self.mesh.chart.theta_of(self.s)
+
+    @cached_property
+    def dtheta_ds(self) -> Array:
+        """Derivative dθ/ds."""
+        return self.mesh.chart.dtheta_ds(self.s)
+
+    @cached_property
+    def cosine(self) -> Array:
+        """Cosine of θ."""
+        return np.cos(self.theta)
+
+    @cached_property
+    def sine(self) -> Array:
+        """Sine of θ."""
+        return np.sin(self.theta)

@@ -90,9 +90,9 @@ class PolarGrid:
         fine = sum(np.arcsinh((rho - place) / d) + np.arcsinh((rho + place) / d) for place, d in self._zones)
         return fine - THINNING * np.arcsinh(rho / WIDE)
 
-    def r_of(self, xi: ArrayLike) -> Array:
-        """Radius r of the uniform coordinate ξ (Newton's method on `xi_of`, to round-off)."""
-        xi = np.asarray(xi, dtype=float)
+    @cached_property
+    def _radii(self) -> tuple[Array, Array]:
+        """A table of ξ and r/`edge`, dense around the refined zones."""
         d = self.edge_width
         table = 1 + d * np.sinh(np.linspace(-np.arcsinh(1 / d), np.arcsinh(2 * self.reach / d), 800))
         if self.crest:
@@ -100,7 +100,12 @@ class PolarGrid:
             near = self.crest + self.crest_width * np.sinh(np.linspace(-5, 5, 201))
             table = np.union1d(table, near[near > 0])
         table[0] = 0
-        rho = np.interp(np.abs(xi), self.xi_of(table * self.edge), table)
+        return self.xi_of(table * self.edge), table
+
+    def r_of(self, xi: ArrayLike) -> Array:
+        """Radius r of the uniform coordinate ξ (Newton's method on `xi_of`, to round-off)."""
+        xi = np.asarray(xi, dtype=float)
+        rho = np.interp(np.abs(xi), *self._radii)
         for _ in range(20):
             step = (self.xi_of(rho * self.edge) - np.abs(xi)) * self.dr_dxi(rho * self.edge) / self.edge
             rho = np.abs(rho - step)

@@ -7,14 +7,17 @@ found between the nodes, and integrals are exact for the interpolated fields up 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
-from softlube.discretization.fields import Fields
+from softlube.discretization.fields import Fields, Mesh, Places
+from softlube.discretization.splines import Spline, lowest
 from softlube.model.quantities import BOUNDARY_LAYER_LEVEL
+from softlube.solvers.threads import one_thread
 
 Array = NDArray[np.floating]
 
@@ -31,39 +34,70 @@ horizontal force on the ball: the pressure pushes the ball, too, and its resulta
 POINTS = 4
 """Points of the quadrature between two nodes of a radius."""
 
+NEWTON_STEPS = 20
+"""Steps of Newton's method at most to a minimum between the nodes; five are usual."""
+ROUNDS = 2
+"""Times that the samples around a maximum are made finer, eight times each, before a parabola ends the search."""
+
 INLET_AXIS, OUTLET_AXIS = np.array([0.0]), np.array([np.pi])
 """Coordinate s of the two halves of the x axis: s = θ = 0 upstream, where the liquid enters, and π downstream."""
 
 
-def _zoom(f: Callable[[Array], Array], low: float, high: float, rounds: int = 5) -> tuple[float, float]:
-    """Place and value of the minimum of f on [low, high], by sampling that is made finer around the least value found.
+def _least(spline: Spline, at: Places) -> tuple[float, float, float]:
+    """Place (ξ, s) and value of the minimum of a spline next to the least of its values at some places.
 
-    f takes an increasing array and returns one of its shape.
+    On the x axis, which is a line of symmetry, it is the minimum along the line, unless the spline falls to both sides of it;
+    elsewhere Newton's method finds it.
     """
-    best = low, np.inf
-    for _ in range(rounds):
-        x = np.linspace(low, high, 65)
-        values = f(x)
-        i = int(np.argmin(values))
-        best = float(x[i]), float(values[i])
-        low, high = float(x[max(i - 1, 0)]), float(x[min(i + 1, 64)])
-    return best
+    values = spline.on(at.across, at.along)
+    i, k = np.unravel_index(int(np.argmin(values)), values.shape)
+    xi, s, best = float(at.xi[i]), float(at.s[k]), float(values[i, k])
+    reach = np.array([np.max(np.diff(at.xi)), np.max(np.diff(at.s))])
+    central = xi < np.min(spline.x[spline.x > 0])
+    if central or (k in (0, at.s.size - 1) and s in (0.0, np.pi)):
+        s = 0.0 if central else s
+        # The line goes on through the centre, where every angle is the same place.
+        near = int(np.searchsorted(spline.x, xi))
+        line = spline.x[max(near - 3, 0) : near + 3]
+        xi, best = map(float, lowest(line, np.stack([spline(line, s, dx=d)[:, 0] for d in (0, 1)])))
+        if central or spline.jet(xi, s)[0, 2] >= 0:
+            return (xi, s, best) if xi >= 0 else (-xi, np.pi - s, best)
+        s += reach[1] if s == 0 else -reach[1]
+    place = np.array([xi, s])
+    for _ in range(NEWTON_STEPS):
+        jet = spline.jet(*place)
+        gradient, hessian = jet[[1, 0], [0, 1]], np.array([[jet[2, 0], jet[1, 1]], [jet[1, 1], jet[0, 2]]])
+        if not (jet[2, 0] > 0 and np.linalg.det(hessian) > 0):
+            break
+        step = np.clip(-np.linalg.solve(hessian, gradient), -reach, reach)
+        place = place + step
+        if np.all(np.abs(step) < 1e-9 * reach):
+            break
+    value = float(spline.jet(*place)[0, 0])
+    return (float(place[0]), float(place[1]), value) if value <= best else (xi, s, best)
 
 
-def _zoom_plane(f: Callable[[Array, Array], Array], xi: Array, s: Array, rounds: int = 4) -> tuple[float, float, float]:
-    """Place (ξ, s) and value of the minimum of f over a rectangle, by sampling that is made finer around the least value found.
+def _largest(f: Callable[[Places], Array], at: Places, mesh: Mesh) -> float:
+    """The maximum of a function next to the largest of its values at places, by sampling that is made finer around it."""
+    values = f(at)
+    i, k = np.unravel_index(int(np.argmax(values)), values.shape)
+    for _ in range(ROUNDS):
+        xi, s = (
+            np.linspace(nodes[max(best - 1, 0)], nodes[min(best + 1, nodes.size - 1)], 17) if nodes.size > 1 else nodes
+            for nodes, best in ((at.xi, i), (at.s, k))
+        )
+        at = mesh.places(xi, s)
+        values = f(at)
+        i, k = np.unravel_index(int(np.argmax(values)), values.shape)
+    return float(values[i, k] + _above(values[:, k], i) + _above(values[i], k))
 
-    The first samples are the product of the given `xi` and `s`; f takes two such arrays and returns their product's shape.
-    """
-    best = float(xi[0]), float(s[0]), np.inf
-    for _ in range(rounds):
-        values = f(xi, s)
-        i, k = np.unravel_index(int(np.argmin(values)), values.shape)
-        best = float(xi[i]), float(s[k]), float(values[i, k])
-        xi = np.linspace(xi[max(i - 1, 0)], xi[min(i + 1, xi.size - 1)], 17)
-        if i > 0:  # at the centre every angle is the same place, and none may be ruled out
-            s = np.linspace(s[max(k - 1, 0)], s[min(k + 1, s.size - 1)], 17)
-    return best
+
+def _above(values: Array, largest: np.intp) -> float:
+    """How much higher the parabola through the largest of some equidistant values and its neighbours is."""
+    if not 0 < largest < values.size - 1:
+        return 0.0
+    before, here, after = values[largest - 1 : largest + 2]
+    return float((after - before) ** 2 / (8 * max(2 * here - before - after, 1e-300)))
 
 
 def _fine(nodes: Array, low: float, high: float, parts: int) -> Array:
@@ -72,7 +106,7 @@ def _fine(nodes: Array, low: float, high: float, parts: int) -> Array:
     return np.concatenate([[low], cut[(cut > low) & (cut < high)], [high]])
 
 
-def integrate(fields: Fields, integrand: Callable[[Array, Array], Array], cutoff: float) -> Any:
+def integrate(fields: Fields, integrand: Callable[[Places], Array], cutoff: float) -> Any:
     """∫ f dA over the disc r ≤ cutoff, both halves.
 
     Parameters
@@ -80,40 +114,55 @@ def integrate(fields: Fields, integrand: Callable[[Array, Array], Array], cutoff
     fields : Fields
         Where to integrate.
     integrand : callable
-        f(ξ, s) on the product of two increasing arrays of chart coordinates, ξ > 0; several functions are stacked along a
-        first axis.
+        f on a product of chart coordinates ξ > 0 and s; several functions are stacked along a first axis.
     cutoff : float
         Radius, at most that of the fields' outermost node.
     """
-    xi, s, across, along = _quadrature(fields, cutoff)
-    return 2 * across @ integrand(xi, s) @ along
+    return integrals(fields, integrand, (cutoff,))[..., 0]
 
 
-def _quadrature(fields: Fields, cutoff: float) -> tuple[Array, Array, Array, Array]:
-    """Points ξ and s of a quadrature over half the disc r ≤ cutoff, and their weights; `POINTS` of ξ between two nodes."""
-    if not 0 < cutoff <= fields.r[-1]:
-        raise ValueError(f"cutoff: expected a radius between 0 and {fields.r[-1]:.4g}, got {cutoff!r}")
-    chart = fields.chart
-    edges = _fine(chart.xi_of(fields.r), 0.0, float(chart.xi_of(cutoff)), 1)
+def integrals(fields: Fields, integrand: Callable[[Places], Array], cutoffs: tuple[float, ...]) -> Array:
+    """∫ f dA as `integrate` gives it, over each of some discs, along the last axis; their radii ascend."""
+    at, across, along, ends = _quadrature(fields.mesh, cutoffs)
+    return np.cumsum(2 * across * (integrand(at) @ along), axis=-1)[..., ends]
+
+
+@lru_cache(maxsize=32)
+def _quadrature(mesh: Mesh, cutoffs: tuple[float, ...]) -> tuple[Places, Array, Array, NDArray[np.integer]]:
+    """Places of a quadrature over half the discs r ≤ cutoff, `POINTS` of ξ between two nodes; kept, since meshes come again.
+
+    Returns
+    -------
+    at : Places
+        The places.
+    across, along : ndarray
+        Their weights along r and along θ.
+    ends : ndarray of int, shape (cutoffs,)
+        The last ξ within each disc.
+    """
+    for cutoff in cutoffs:
+        if not 0 < cutoff <= mesh.r[-1]:
+            raise ValueError(f"cutoff: expected a radius between 0 and {mesh.r[-1]:.4g}, got {cutoff!r}")
+    rims = mesh.chart.xi_of(np.array(cutoffs))
+    edges = np.union1d(_fine(mesh.xi, 0.0, float(rims[-1]), 1), rims)
     x, weight = leggauss(POINTS)
     xi = (edges[:-1, None] + np.diff(edges)[:, None] * (x + 1) / 2).ravel()
-    r = chart.r_of(xi)
-    across = (np.diff(edges)[:, None] * weight / 2).ravel() * chart.dr_dxi(r) * r
-    s = np.linspace(0, np.pi, 4 * (fields.theta.size - 1) + 1)
-    along = np.full(s.size, s[1]) * chart.dtheta_ds(s)
+    at = mesh.places(xi, np.linspace(0, np.pi, 4 * (mesh.theta.size - 1) + 1))
+    across = (np.diff(edges)[:, None] * weight / 2).ravel() * at.dr_dxi * at.r
+    along = np.full(at.s.size, at.s[1]) * at.dtheta_ds
     along[[0, -1]] /= 2
-    return xi, s, across, along
+    return at, across, along, np.searchsorted(xi, rims) - 1
 
 
 def load_within(fields: Fields, cutoff: float) -> float:
     """Load ∫p dA over r ≤ cutoff, Eq. (27b)."""
-    return integrate(fields, lambda xi, s: fields.pressure_spline(xi, s), cutoff)
+    return integrate(fields, lambda at: fields.pressure_on(at), cutoff)
 
 
-def _friction_densities(fields: Fields, xi: Array, s: Array) -> Array:
-    """Couette and Poiseuille part of the shear stress on the sphere, (η/η₀)/(βū) and 3ū ∂p̄/∂x, on the product of ξ and s."""
-    film = fields.film_spline(xi, s)
-    return np.stack([fields.viscosity_on(xi, s) / (fields.beta * film), 3 * film * fields.gradient_on(xi, s)[0]])
+def _densities(fields: Fields, at: Places) -> Array:
+    """Pressure, and Couette and Poiseuille part of the shear stress on the sphere, (η/η₀)/(βū) and 3ū ∂p̄/∂x."""
+    film, pressure = fields.film_on(at), fields.pressure_on(at)
+    return np.stack([pressure, fields.liquid.viscosity(pressure) / (fields.beta * film), 3 * film * fields.gradient_on(at)[0]])
 
 
 def friction_within(fields: Fields, cutoff: float) -> float:
@@ -135,7 +184,7 @@ def friction_parts(fields: Fields, cutoff: float) -> tuple[float, float]:
     poiseuille : float
         ∫ 3ū ∂p̄/∂x dA, which the pressure gradient adds to the shear on the sphere and takes from that on the substrate.
     """
-    couette, poiseuille = integrate(fields, lambda xi, s: _friction_densities(fields, xi, s), cutoff)
+    _, couette, poiseuille = integrate(fields, lambda at: _densities(fields, at), cutoff)
     return float(couette), float(poiseuille)
 
 
@@ -153,24 +202,25 @@ def friction_profile(fields: Fields) -> tuple[Array, Array]:
     couette, poiseuille : ndarray, shape (radii,)
         What `friction_parts` gives for the radii `fields.r`; 0 at the centre.
     """
-    xi, s, across, along = _quadrature(fields, float(fields.r[-1]))
-    rings = 2 * across * (_friction_densities(fields, xi, s) @ along)
-    within = np.cumsum(rings.reshape(2, -1, POINTS).sum(axis=2), axis=1)
+    cutoffs = tuple(fields.r[fields.r > 0].tolist())
+    within = integrals(fields, lambda at: _densities(fields, at)[1:], cutoffs)
     couette, poiseuille = np.hstack([np.zeros((2, 1)), within])
     return couette, poiseuille
 
 
-def wall_shear_rate(fields: Fields, xi: Array, s: Array) -> Array:
+def wall_shear_rate(fields: Fields, at: Places) -> Array:
     """Larger of the shear rates on the two walls, Eq. (25) with its transverse component, in units of v/|h₀|.
 
-    The gradient is that of the reduced pressure q, since φ∇p = ∇q; shape (xi.size, s.size).
+    The gradient is that of the reduced pressure q, since φ∇p = ∇q.
     """
-    film = fields.film_spline(xi, s)
-    q_x, q_y = fields.gradient_on(xi, s, fields.reduced_spline)
+    film = fields.film_on(at)
+    q_x, q_y = fields.gradient_on(at, fields.reduced_spline)
     poiseuille = 3 * fields.beta * film
-    return np.hypot(1 / film + np.abs(poiseuille * q_x), poiseuille * q_y)
+    across, along = 1 / film + np.abs(poiseuille * q_x), poiseuille * q_y
+    return np.sqrt(across * across + along * along)
 
 
+@one_thread
 def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
     """Every quantity of `softlube.model.quantities.STEADY` by its name, normalised like the fields.
 
@@ -181,70 +231,71 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
     edge : float
         Radius a of the dry contact.
     """
-    chart = fields.chart
-    xi_nodes, s_nodes = chart.xi_of(fields.r), chart.s_of(fields.theta)
-    inside = float(chart.xi_of(min(DOMAIN * edge, fields.r[-1])))
-    everywhere = float(xi_nodes[-1])
+    mesh, chart = fields.mesh, fields.chart
+    xi_nodes, s_nodes = mesh.xi, mesh.s
+    contact, domain = (min(cutoff * edge, float(fields.r[-1])) for cutoff in (CONTACT, DOMAIN))
 
-    def around(nodal: Array) -> tuple[Array, Array]:
+    def around(nodal: Array) -> Places:
         """A fine mesh of two intervals on each side of the least nodal value."""
         i, k = np.unravel_index(int(np.argmin(nodal)), nodal.shape)
         xi = _fine(xi_nodes, xi_nodes[i - 2] if i >= 2 else 0.0, xi_nodes[min(i + 2, xi_nodes.size - 1)], 4)
         s = _fine(s_nodes, s_nodes[max(k - 2, 0)], s_nodes[min(k + 2, s_nodes.size - 1)], 4)
-        return xi, s if i >= 2 else s_nodes  # at the centre every angle is the same place
+        return mesh.places(xi, s if i >= 2 else s_nodes)  # at the centre every angle is the same place
 
-    xi_film, s_film, film_min = _zoom_plane(lambda a, b: fields.film_spline(a, b), *around(fields.film))
+    xi_film, s_film, film_min = _least(fields.film_spline, around(fields.film))
     pressure_center = float(fields.pressure_at(0.0, 0.0))
     if fields.is_sharp:
         # Between the nodes of a ridge that runs askew to the mesh, a cubic overshoots.
         highest = float(np.max(fields.pressure))
     else:
-        highest = -_zoom_plane(lambda a, b: -fields.pressure_spline(a, b), *around(-fields.pressure))[2]
+        highest = -_least(-fields.pressure_spline, around(-fields.pressure))[2]
     pressure_max = max(highest, pressure_center)  # the centre lies between the nodes
-    sheared = -wall_shear_rate(fields, xi_nodes[1:], s_nodes)
-    xi_shear, s_shear = around(np.vstack([np.zeros((1, s_nodes.size)), sheared]))
-    shear_rate_max = -_zoom_plane(lambda a, b: -wall_shear_rate(fields, a, b), np.maximum(xi_shear, xi_nodes[1] / 8), s_shear)[
-        2
-    ]
 
-    def on_axis(angle: float, f: Callable[[Array], Array], high: float) -> tuple[float, float]:
-        """Minimum along the inlet (angle 0) or outlet (π) axis."""
-        x = _fine(xi_nodes, 0.0, high, 3)
-        i = int(np.argmin(f(x)))
-        return _zoom(f, x[max(i - 1, 0)], x[min(i + 1, x.size - 1)])
+    sheared = wall_shear_rate(fields, mesh.nodes)
+    near = around(np.vstack([np.zeros((1, s_nodes.size)), -sheared]))
+    near = mesh.places(np.maximum(near.xi, xi_nodes[1] / 8), near.s)
+    inlet = mesh.places(_fine(xi_nodes, 0.0, float(xi_nodes[-1]), 3), INLET_AXIS)
+    outlet = _fine(xi_nodes, 0.0, float(chart.xi_of(domain)), 1)
+    outlet_line = np.stack([fields.film_spline(outlet, OUTLET_AXIS, dx=d)[:, 0] for d in (0, 1)])
 
-    def inlet_slope(x: Array) -> Array:
-        return -np.abs(fields.pressure_spline(x, INLET_AXIS, dx=1)[:, 0]) / chart.dr_dxi(chart.r_of(x))
+    def inlet_slope(at: Places) -> Array:
+        return np.abs(fields.pressure_spline.on(at.across, at.along, dx=1)) / at.dr_dxi[:, None]
 
-    outlet_min = on_axis(np.pi, lambda x: fields.film_spline(x, OUTLET_AXIS)[:, 0], inside)[1]
-    slope = on_axis(0.0, inlet_slope, everywhere)[1]
+    within = {
+        factor: integrate(fields, lambda at: _densities(fields, at), cutoff).tolist()
+        for factor, cutoff in ((CONTACT, contact), (DOMAIN, domain))
+    }
     return {
         "load": fields.load,
-        "load_contact": load_within(fields, CONTACT * edge),
+        "load_contact": within[CONTACT][0],
         "height": fields.height,
         "film_center": float(fields.film_at(0.0, 0.0)),
         "film_min": film_min,
         "film_min_radius": float(chart.r_of(xi_film)),
         "film_min_angle_deg": float(np.degrees(chart.theta_of(s_film))),
         "film_inlet": float(fields.film_at(CONTACT * edge, 0.0)),
-        "film_outlet_min": outlet_min,
+        "film_outlet_min": float(lowest(outlet, outlet_line)[1]),
         "pressure_center": pressure_center,
         "pressure_max": pressure_max,
-        "pressure_gradient_inlet": -slope,
+        "pressure_gradient_inlet": _largest(inlet_slope, inlet, mesh),
         "boundary_layer": boundary_layer(fields, pressure_max, edge),
-        **frictions(lambda cutoff: friction_parts(fields, min(cutoff * edge, float(fields.r[-1])))),
-        "shear_rate_max": shear_rate_max,
+        **frictions(lambda cutoff: within[cutoff][1:]),
+        "shear_rate_max": _largest(lambda at: wall_shear_rate(fields, at), near, mesh),
     }
 
 
 def boundary_layer(fields: Fields, pressure_max: float, edge: float = 1.0) -> float:
     """Distance from the edge of the dry contact to where the pressure on the inlet axis is 5 % of its maximum, Eq. (21)."""
-    xi_nodes = fields.chart.xi_of(fields.r)
-    xi = _fine(xi_nodes, 0.0, float(xi_nodes[-1]), 2)
-    for _ in range(6):
-        above = fields.pressure_spline(xi, INLET_AXIS)[:, 0] >= BOUNDARY_LAYER_LEVEL * pressure_max
-        last = int(np.flatnonzero(above)[-1]) if above.any() else xi.size - 1
-        if last == xi.size - 1:
-            return float("nan")
-        xi = np.linspace(xi[last], xi[last + 1], 33)
-    return float(fields.chart.r_of(xi.mean())) - edge
+    level = BOUNDARY_LAYER_LEVEL * pressure_max
+    xi = _fine(fields.mesh.xi, 0.0, float(fields.mesh.xi[-1]), 2)
+    above = fields.pressure_spline(xi, INLET_AXIS)[:, 0] >= level
+    last = int(np.flatnonzero(above)[-1]) if above.any() else xi.size - 1
+    if last == xi.size - 1:
+        return float("nan")
+    start, width = xi[last], xi[last + 1] - xi[last]
+    taylor = [float(fields.pressure_spline(start, 0.0, dx=d, grid=False)) * width**d for d in range(3)]
+    # The cubic from there on, as a polynomial: its third derivative is what its value at the end leaves.
+    value = float(fields.pressure_spline(xi[last + 1], 0.0, grid=False))
+    roots = np.roots([value - taylor[0] - taylor[1] - taylor[2] / 2, taylor[2] / 2, taylor[1], taylor[0] - level])
+    crossing = np.max(roots.real[(np.abs(roots.imag) < 1e-9) & (roots.real >= -1e-9) & (roots.real <= 1 + 1e-9)])
+    return float(fields.chart.r_of(start + crossing * width)) - edge

@@ -3,8 +3,9 @@
 The Jacobian J = L − D K of the Reynolds residual joins two differential operators, L = ∂R/∂p and −D = ∂R/∂u, by the elastic
 one, δu = K δp, which is dense and decays like 1/r.  Its inverse S = K⁻¹ is much more local: a film's change at a point asks
 for a pressure that decays like 1/r³.  So S is cut off beyond the next ring, and J S = L S + ∂R/∂u, the Jacobian with the film
-as the unknown, becomes a band matrix whose factorisation costs next to nothing.  GMRES on the exact Jacobian, with this in
-front, takes some ten iterations for an accuracy of 10⁻⁴, at every β.
+as the unknown, becomes a band matrix whose factorisation costs next to nothing, all the less with differences of second order
+and in single precision.  GMRES on the exact Jacobian, with this in front, takes some ten iterations for an accuracy of 10⁻⁴,
+at every β.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from scipy import sparse
 
 from softlube.discretization.elasticity import ElasticOperator
 from softlube.discretization.grid import PolarGrid
-from softlube.discretization.reynolds import Sparse, scaled_rows
-from softlube.solvers.band import BandLU
+from softlube.discretization.reynolds import Differences, Sparse
+from softlube.solvers.band import Band
 
 Array = NDArray[np.floating]
 
@@ -39,38 +40,109 @@ def local_stiffness(grid: PolarGrid, substrate: ElasticOperator) -> Sparse:
     -------
     sparse matrix, shape (n_unknown, n_unknown)
     """
-    n_angles = grid.shape[1]
-    windows = [range(max(0, k - RINGS), min(grid.n_r, k + RINGS + 1)) for k in range(grid.n_r)]
+    n_r, n_angles = grid.n_r, grid.shape[1]
     reach = 2 * RINGS
-    starts = [max(0, k - reach) for k in range(grid.n_r)]
-    coupling = [substrate.ring_coupling(k, slice(starts[k], min(grid.n_r, k + reach + 1))) for k in range(grid.n_r)]
-    rows, columns, values = [], [], []
-    row, column = np.indices((n_angles, n_angles)).reshape(2, -1)
-    for k, window in enumerate(windows):
-        blocks = [coupling[i][window.start - starts[i] : window.stop - starts[i]] for i in window]
-        local = np.concatenate([each.swapaxes(0, 1).reshape(n_angles, -1) for each in blocks])
+    starts = [max(0, k - reach) for k in range(n_r)]
+    coupling = [substrate.ring_coupling(k, slice(starts[k], min(n_r, k + reach + 1))) for k in range(n_r)]
+    blocks = np.zeros((n_r, 2 * RINGS + 1, n_angles, n_angles))  # of every ring, from itself and its neighbours
+    for k in range(n_r):
+        window = range(max(0, k - RINGS), min(n_r, k + RINGS + 1))
+        parts = [coupling[i][window.start - starts[i] : window.stop - starts[i]] for i in window]
+        local = np.concatenate([each.swapaxes(0, 1).reshape(n_angles, -1) for each in parts])
         own = np.zeros((local.shape[0], n_angles))
         place = (k - window.start) * n_angles
         own[place : place + n_angles] = np.eye(n_angles)
-        inverse_rows = np.linalg.solve(local.T, own).T
-        for j in window:
-            rows.append(k * n_angles + row)
-            columns.append(j * n_angles + column)
-            values.append(inverse_rows[:, (j - window.start) * n_angles :][:, :n_angles].ravel())
-    row, column, value = np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
-    size = np.empty(grid.n_unknown)
-    size[row[row == column]] = np.sqrt(np.abs(value[row == column]))
-    kept = np.abs(value) > SMALLEST * size[row] * size[column]
-    return sparse.csr_array((value[kept], (row[kept], column[kept])), (grid.n_unknown, grid.n_unknown))
+        rows = np.linalg.solve(local.T, own).T.reshape(n_angles, -1, n_angles)
+        blocks[k, window.start - k + RINGS : window.stop - k + RINGS] = rows.swapaxes(0, 1)
+    size = np.sqrt(np.abs(np.diagonal(blocks[:, RINGS], axis1=1, axis2=2)))
+    around = np.pad(size, ((RINGS, RINGS), (0, 0)))
+    other = np.stack([around[shift : shift + n_r] for shift in range(2 * RINGS + 1)], axis=1)
+    kept = np.nonzero(np.abs(blocks) > SMALLEST * size[:, None, :, None] * other[:, :, None, :])
+    ring, shift, row, column = kept
+    places = ring * n_angles + row, (ring + shift - RINGS) * n_angles + column
+    return Sparse((blocks[kept], places), (grid.n_unknown, grid.n_unknown))
 
 
 @dataclass(frozen=True)
 class Border:
-    """The row and column that load control adds: the height's effect on the balance, the load's weights, their corner."""
+    """The row and column that load control adds.
+
+    Attributes
+    ----------
+    column, row, corner : ndarray, ndarray, float
+        The height's effect on the balance, the load's weights, and the height's own effect on the load.
+    unit : float
+        Change of the height that weighs as much as a change of the film by itself.
+    """
 
     column: Array
     row: Array
     corner: float
+    unit: float
+
+
+class FilmBalance:
+    """The balance of the cells by the film alone, −div (P S + Q), with entries of P and Q that change in one pattern.
+
+    Each entry of the sum is linear in those of P and Q, the derivatives of the fluxes by pressure and film: all are found by
+    one product with a sparse matrix that is formed once.
+
+    Parameters
+    ----------
+    differences : Differences
+        Those of a low order make a narrow band.
+    stiffness : sparse matrix, shape (n, n)
+        S, see `local_stiffness`.
+    """
+
+    def __init__(self, differences: Differences, stiffness: Sparse) -> None:
+        self.stiffness, n = stiffness, stiffness.shape[0]
+        flux = np.flatnonzero(differences.node < n)
+        spread = sparse.csc_array(-differences.divergence)
+        every, place = _ragged(spread.indptr, differences.face[flux])  # each flux goes to some cells …
+        flux, cell, weight = flux[every], spread.indices[place], spread.data[place]
+        node = differences.node[flux]
+        every, place = _ragged(stiffness.indptr, node)  # … and a pressure comes from the film at some nodes
+        own, _ = _ragged(stiffness.indptr, np.arange(n))
+        rows = np.concatenate([cell[every], cell, own])
+        columns = np.concatenate([stiffness.indices[place], node, stiffness.indices])
+        entry, row, column = _numbered(rows, columns, n)
+        self.band = Band(row, column)
+        self.diagonal = np.flatnonzero(row == column)
+        n_by_pressure, n_fluxes = every.size, differences.node.size
+        self._sum = Sparse(
+            (
+                np.concatenate([weight[every] * stiffness.data[place], weight]),
+                (entry[: -own.size], np.concatenate([flux[every], n_fluxes + flux])),
+            ),
+            (row.size, 2 * n_fluxes),
+        )
+        self.held = np.zeros(row.size)
+        self.held[entry[n_by_pressure + cell.size :]] = stiffness.data
+
+    def entries(self, by_pressure: Array, by_film: Array) -> Array:
+        """Entries of the sum on `band`, from those of P and Q."""
+        return self._sum @ np.concatenate([by_pressure, by_film])
+
+
+def _ragged(pointers: NDArray[np.integer], rows: NDArray[np.integer]) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
+    """For some rows of a sparse matrix, one after the other: which of them each of their entries belongs to, and its place."""
+    counts = np.diff(pointers)[rows]
+    which = np.repeat(np.arange(rows.size), counts)
+    return which, np.arange(which.size) + np.repeat(pointers[rows] - np.cumsum(counts) + counts, counts)
+
+
+def _numbered(
+    rows: NDArray[np.integer], columns: NDArray[np.integer], n: int
+) -> tuple[NDArray[np.integer], NDArray[np.integer], NDArray[np.integer]]:
+    """Numbers of entries of a band matrix, by rows, the rows and the columns of those that differ."""
+    width = int(np.max(np.abs(rows - columns)))
+    place = rows * (2 * width + 1) + (width + columns - rows)
+    present = np.zeros(n * (2 * width + 1), dtype=bool)
+    present[place] = True
+    number = np.cumsum(present) - 1
+    row, offset = np.divmod(np.flatnonzero(present), 2 * width + 1)
+    return number[place], row, row + offset - width
 
 
 class FilmEquation:
@@ -86,10 +158,10 @@ class FilmEquation:
     ----------
     times : callable
         The exact Jacobian times a vector.
-    by_pressure, by_film : sparse matrix, shape (n, n)
-        ∂R/∂p at fixed film and ∂R/∂u.
-    stiffness : sparse matrix, shape (n, n)
-        See `local_stiffness`.
+    balance : FilmBalance
+        Pattern of the approximate Jacobian with the film as the unknown.
+    entries : ndarray
+        Its entries.
     free : ndarray of bool, shape (n,)
         Nodes whose pressure is unknown; the others are held.
     film : ndarray, shape (n,)
@@ -101,24 +173,22 @@ class FilmEquation:
     def __init__(
         self,
         times: Callable[[Array], Array],
-        by_pressure: Sparse,
-        by_film: Sparse,
-        stiffness: Sparse,
+        balance: FilmBalance,
+        entries: Array,
         free: NDArray[np.bool_],
         film: Array,
         border: Border | None = None,
     ) -> None:
-        self._times, self._stiffness, self._free, self._film, self._border = times, stiffness, free, film, border
-        balance = by_pressure @ stiffness
+        self._times, self._stiffness, self._free, self._film, self._border = times, balance.stiffness, free, film, border
         # Both kinds of rows to the same size, so that pivoting compares like with like.
-        self._hold = float(np.median(np.abs(balance.diagonal()))) / float(np.median(np.abs(stiffness.diagonal())))
-        taken, held = free.astype(float), np.where(free, 0.0, self._hold)
-        self._band = BandLU.of_sum(
-            free.size, scaled_rows(balance, taken), scaled_rows(by_film, taken), scaled_rows(stiffness, held)
-        )
+        diagonal = balance.diagonal
+        self._hold = float(np.median(np.abs(entries[diagonal])) / np.median(np.abs(balance.held[diagonal])))
+        band = balance.band
+        self._band = band.factors(np.where(free[band.row], entries, self._hold * balance.held) * film[band.column])
         if border is not None:
+            self._weights = np.where(free, border.row, 0.0)
             self._lift = self._band.solve(np.where(free, border.column, 0.0))
-            self._pivot = border.corner - border.row @ (stiffness @ self._lift)
+            self._pivot = border.corner - self._weights @ (self._stiffness @ (self._lift * film))
 
     def at(self, times: Callable[[Array], Array]) -> FilmEquation:
         """The same equation with another exact Jacobian, close to the first; everything approximate is kept."""
@@ -126,23 +196,19 @@ class FilmEquation:
         other._times = times
         return other
 
-    def _inverse(self, residual: Array) -> Array:
-        """Approximate solution in units of the film."""
+    def right(self, residual: Array) -> Array:
+        """Right-hand side from that of Newton's equation, zero where held: an approximate solution in units of the film."""
         n = self._free.size
         change = self._band.solve(residual[:n])
         if self._border is None:
-            return change / self._film
-        height = (residual[n] - self._border.row @ (self._stiffness @ change)) / self._pivot
-        return np.append((change - height * self._lift) / self._film, height / self._film[0])
+            return change
+        height = (residual[n] - self._weights @ (self._stiffness @ (change * self._film))) / self._pivot
+        return np.append(change - height * self._lift, height / self._border.unit)
 
     def _pressure(self, unknown: Array) -> Array:
         n = self._free.size
         pressure = self._stiffness @ (unknown[:n] * self._film)
-        return pressure if self._border is None else np.append(pressure, unknown[n] * self._film[0])
-
-    def right(self, residual: Array) -> Array:
-        """Right-hand side from that of Newton's equation, zero where held."""
-        return self._inverse(residual)
+        return pressure if self._border is None else np.append(pressure, unknown[n] * self._border.unit)
 
     def operator(self, unknown: Array) -> Array:
         """Left-hand side, nearly the identity."""
@@ -153,7 +219,7 @@ class FilmEquation:
         step[:n] -= held
         result = self._times(step)
         result[:n] = np.where(self._free, result[:n], self._hold * held)
-        return self._inverse(result)
+        return self.right(result)
 
     def step(self, unknown: Array) -> Array:
         """The step in pressures (and height), zero where held."""

@@ -26,7 +26,7 @@ NEAR = 2
 """Gauss points on an element far from the target, on one near it, and elements on each side of the target that count as near.
 
 With these the displacement of a smooth pressure has an order above 4.5 in r (tests/discretization/test_elasticity.py)."""
-LARGEST_BATCH = 8_000_000
+LARGEST_BATCH = 1_000_000
 """Kernel values held in memory at a time."""
 PANEL, LONG = 12, 0.75
 """Points on a panel on which a remainder is sampled, and the length of elements, over the panel's, that are too long for plain

@@ -11,8 +11,8 @@ differences of sin θ and r themselves, so that a uniform film carries no pressu
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,138 +26,194 @@ Sparse = sparse.csr_array
 
 CONSTANT = NewtonianLaw()
 
-# Staggered formulas of fourth order: value and derivative half-way between nodes, offsets from the face −2, −1, 0, 1.
-MIDPOINT = {-2: -1 / 16, -1: 9 / 16, 0: 9 / 16, 1: -1 / 16}
-UPSTREAM = {-2: 1 / 16, -1: -3 / 16, 0: 3 / 16, 1: -1 / 16}
-"""Added to `MIDPOINT`, it gives the value of the quadratic through two nodes upstream (at higher index) and one downstream.
 
-Third order, upwind-biased, as in the QUICK scheme (Leonard 1979)."""
-SLOPE = {-2: 1 / 24, -1: -27 / 24, 0: 27 / 24, 1: -1 / 24}
+@dataclass(frozen=True)
+class Formulas:
+    """Staggered formulas for a uniform mesh: weights of the nodes by their offsets from a face, which lies before node 0.
 
-
-def _kron(left: Array, right: Array) -> Sparse:
-    """Sparse Kronecker product of two small dense matrices."""
-    return sparse.csr_array(sparse.kron(sparse.csr_array(left), sparse.csr_array(right)))
-
-
-def scaled_rows(matrix: Sparse, factor: Array) -> Sparse:
-    """A sparse matrix with each row multiplied by a factor: diag(factor) @ matrix."""
-    return sparse.csr_array(
-        (matrix.data * np.repeat(factor, np.diff(matrix.indptr)), matrix.indices, matrix.indptr), matrix.shape
-    )
-
-
-def scaled_columns(matrix: Sparse, factor: Array) -> Sparse:
-    """A sparse matrix with each column multiplied by a factor: matrix @ diag(factor)."""
-    return sparse.csr_array((matrix.data * factor[matrix.indices], matrix.indices, matrix.indptr), matrix.shape)
-
-
-def _radial(formula: dict[int, float], n_out: int, n_in: int, first: int, mirror: int) -> tuple[Array, Array]:
-    """Matrix of a formula along r, split in the part from its own side and the part from across the centre.
-
-    Output i takes input i + first + offset; input j < 0 is the mirror image of input mirror − j.
+    Attributes
+    ----------
+    midpoint, slope : mapping of int to float
+        Value and derivative on the face.
+    upstream : mapping of int to float
+        Added to `midpoint`, it gives a value from upstream, where the index is higher.
     """
-    own, across = np.zeros((2, n_out, n_in))
-    for i in range(n_out):
-        for offset, weight in formula.items():
-            j = i + first + offset
-            (own if j >= 0 else across)[i, j if j >= 0 else mirror - j] += weight
-    return own, across
+
+    midpoint: dict[int, float]
+    slope: dict[int, float]
+    upstream: dict[int, float]
 
 
-def _angular(formula: dict[int, float], n_out: int, n_in: int, first: int, on_axis: bool, sign: int) -> Array:
-    """Matrix of a formula along θ, reflected at θ = 0 and π with the given parity; inputs on the axis, or half-way."""
-    matrix = np.zeros((n_out, n_in))
-    for k in range(n_out):
-        for offset, weight in formula.items():
-            j, parity = k + first + offset, 1
-            last = n_in - 1
-            if j < 0:
-                j, parity = (-j if on_axis else -1 - j), sign
-            if j > last:
-                j, parity = (2 * last - j if on_axis else 2 * last + 1 - j), sign
-            matrix[k, j] += parity * weight
-    return matrix
+FOURTH = Formulas(
+    midpoint={-2: -1 / 16, -1: 9 / 16, 0: 9 / 16, 1: -1 / 16},
+    slope={-2: 1 / 24, -1: -27 / 24, 0: 27 / 24, 1: -1 / 24},
+    # The value of the quadratic through two nodes upstream and one downstream: third order, as in QUICK (Leonard 1979).
+    upstream={-2: 1 / 16, -1: -3 / 16, 0: 3 / 16, 1: -1 / 16},
+)
+"""Formulas of the equation that is solved."""
+SECOND = Formulas(midpoint={-1: 0.5, 0: 0.5}, slope={-1: -1.0, 0: 1.0}, upstream={-1: -0.5, 0: 0.5})
+"""Formulas of second order from the nearest nodes only, for preconditioning, and at the rim."""
+
+
+@dataclass(frozen=True)
+class Differences:
+    """Differences of one order on one grid, as sparse matrices; faces are the radial ones, then the angular ones.
+
+    Attributes
+    ----------
+    slope, midpoint, upstream : sparse matrix, shape (faces, n)
+        Difference and value on the faces, and what makes of the value the upwind-biased one; of one pattern.
+    divergence : sparse matrix, shape (n_unknown, faces)
+        From the fluxes to the balance of each cell.
+    """
+
+    slope: Sparse
+    midpoint: Sparse
+    upstream: Sparse
+    divergence: Sparse
+
+    @classmethod
+    def on(cls, grid: PolarGrid, formulas: Formulas) -> Differences:
+        """The differences on a grid by some formulas."""
+        n_r, (n_nodes, n_angles), n_gaps = grid.n_r, grid.shape, grid.n_theta
+        n_radial = (n_r + 2) * n_angles
+        shape = n_radial + n_r * n_gaps, n_nodes * n_angles
+        offsets = np.array(list(formulas.slope))
+        # From the nodes to the radial faces but the outermost, through the centre to the opposite side, …
+        i, k, o = (each.ravel() for each in np.indices((n_r + 1, n_angles, offsets.size)))
+        ring = i + offsets[o]
+        across = ring < 0
+        places = [(i * n_angles + k, np.where(across, -1 - ring, ring) * n_angles + np.where(across, n_angles - 1 - k, k))]
+        # … to that one, which has one node beyond it, not two, and where p is the far field's, …
+        last = (n_r + 1) * n_angles + np.tile(np.arange(n_angles), 2)
+        places.append((last, last - np.repeat([n_angles, 0], n_angles)))
+        # … and to the angular faces, reflected at θ = 0 and π.
+        gap_i, gap_k, gap_o = (each.ravel() for each in np.indices((n_r, n_gaps, offsets.size)))
+        angle = np.abs(gap_k + 1 + offsets[gap_o])
+        angle = np.where(angle > n_gaps, 2 * n_gaps - angle, angle)
+        places.append((n_radial + gap_i * n_gaps + gap_k, gap_i * n_angles + angle))
+        rows, columns = (np.concatenate(each) for each in zip(*places, strict=True))
+
+        def matrix(name: str, radial: Array | float, outermost: Array | float, angular: float) -> Sparse:
+            weights = np.array([getattr(formulas, name)[each] for each in offsets])
+            end = np.repeat([getattr(SECOND, name)[-1], getattr(SECOND, name)[0]], n_angles)
+            return Sparse(
+                (np.concatenate([weights[o] * radial, end * outermost, weights[gap_o] * angular]), (rows, columns)), shape
+            )
+
+        # The liquid comes from +x: upstream is at higher r in the inlet half, and at lower θ.
+        inlet = np.sign(np.cos(grid.theta))[k]
+        return cls(
+            slope=matrix("slope", 1 / grid.d_xi, 1 / grid.d_xi, 1 / grid.d_s),
+            midpoint=matrix("midpoint", 1.0, 1.0, 1.0),
+            upstream=matrix("upstream", inlet, 0.0, -1.0),
+            divergence=_divergence(grid, formulas.slope),
+        )
+
+    @cached_property
+    def face(self) -> NDArray[np.integer]:
+        """The face of each entry of the pattern."""
+        return np.repeat(np.arange(self.slope.shape[0]), np.diff(self.slope.indptr))
+
+    @property
+    def node(self) -> NDArray[np.integer]:
+        """The node of each entry of the pattern."""
+        return self.slope.indices
+
+    @cached_property
+    def span(self) -> Sparse:
+        """The divergence with every weight positive."""
+        return abs(self.divergence)
+
+    @cached_property
+    def diagonal(self) -> Sparse:
+        """From a matrix of the pattern to the diagonal of the divergence times it, shape (n_unknown, entries)."""
+        number = self.with_entries(np.arange(1.0, self.slope.nnz + 1))
+        cell, face = self.divergence.nonzero()
+        entry = np.asarray(number[face, cell]).astype(int) - 1
+        own = entry >= 0
+        shape = self.divergence.shape[0], self.slope.nnz
+        return Sparse((self.divergence.data[own], (cell[own], entry[own])), shape)
+
+    def with_entries(self, entries: Array) -> Sparse:
+        """The matrix of some entries in the pattern."""
+        return Sparse((entries, self.slope.indices, self.slope.indptr), self.slope.shape)
+
+
+def _sloping(values: Array) -> Array:
+    """Differences of fourth order of equidistant values, half-way between them."""
+    n = values.size - 3
+    return np.sum([weight * values[2 + offset :][:n] for offset, weight in FOURTH.slope.items()], axis=0)
+
+
+def _divergence(grid: PolarGrid, slope: dict[int, float]) -> Sparse:
+    """From the fluxes on the faces to the balance of each cell."""
+    n_r, n_angles, n_gaps = grid.n_r, grid.shape[1], grid.n_theta
+    n_radial = (n_r + 2) * n_angles
+    offsets, weights = np.array(list(slope)), np.array(list(slope.values()))
+    i, k, o = (each.ravel() for each in np.indices((n_r, n_angles, offsets.size)))
+    circle = i + 1 + offsets[o]
+    radial = np.abs(circle) * n_angles + np.where(circle < 0, n_angles - 1 - k, k)
+    # Summed over a ring the fourth order leaves 1/12 of the flux through its first circle at the centre, where no liquid can
+    # stay.  Without that mean the fluxes telescope exactly.
+    ring = np.full(n_angles, 1 / n_gaps)
+    ring[[0, -1]] /= 2
+    lost = np.sum(weights[o][np.abs(circle) == 1]) / n_angles * ring
+    centre, first = (each.ravel() for each in np.indices((n_angles, n_angles)))
+    # Fluxes across θ = 0 and π change their sign with the side.
+    gap = k + offsets[o]
+    outside = (gap < 0) | (gap >= n_gaps)
+    gap = np.where(gap < 0, -1 - gap, np.where(gap >= n_gaps, 2 * n_gaps - 1 - gap, gap))
+    angular = np.where(outside, -weights[o], weights[o]) / grid.d_s
+    cell = i * n_angles + k
+    entries = np.concatenate([weights[o] / grid.d_xi, -lost[first] / grid.d_xi, angular])
+    rows = np.concatenate([cell, centre, cell])
+    columns = np.concatenate([radial, n_angles + first, n_radial + i * n_gaps + gap])
+    divergence = Sparse((entries, (rows, columns)), (grid.n_unknown, n_radial + n_r * n_gaps))
+    divergence.eliminate_zeros()
+    return divergence
 
 
 @dataclass(frozen=True)
 class ReynoldsOperator:
-    """Differences of the Reynolds equation on one grid, as sparse matrices (residual rows: unknown nodes).
+    """The Reynolds equation on one grid.
 
     Attributes
     ----------
-    slope, midpoint : tuple of sparse matrices
-        Difference of the pressure and value of the film on the radial and the angular faces.
-    upstream : tuple of sparse matrices
-        Added to `midpoint`, they give the upwind-biased value.
-    divergence : tuple of sparse matrices
-        From the fluxes on radial and angular faces to the balance of each cell.
-    conductance, drag : tuple of ndarray
+    differences : Differences
+        Those of the equation, of fourth order.
+    nearest : Differences
+        Those of second order, for a preconditioner with a narrow band.
+    conductance, drag : ndarray, shape (faces,)
         Metric factors of u³∂p and of u/β on the faces.
     """
 
-    slope: tuple[Sparse, Sparse]
-    midpoint: tuple[Sparse, Sparse]
-    upstream: tuple[Sparse, Sparse]
-    divergence: tuple[Sparse, Sparse]
-    conductance: tuple[Array, Array]
-    drag: tuple[Array, Array]
+    differences: Differences
+    nearest: Differences
+    conductance: Array
+    drag: Array
 
     @classmethod
     def on(cls, grid: PolarGrid) -> ReynoldsOperator:
         """Build the operator of a grid."""
-        n_r, n_nodes, n_angles = grid.n_r, grid.shape[0], grid.shape[1]
-        n_faces = n_r + 2  # from the centre (no area) to the one beyond the last cell, which the fourth order wants
-        same = np.eye(n_angles)
-        flip = same[::-1]
-
-        def both(own: Array, across: Array) -> Sparse:
-            return sparse.csr_array(_kron(own, same) + _kron(across, flip))
-
-        # The outermost face has one node beyond it, not two: second order there, where p is the far field's.
-        outer = {-1: 0.5, 0: 0.5}, {-1: -1.0, 0: 1.0}
-        value = [_radial(MIDPOINT, n_faces - 1, n_nodes, 0, -1), _radial(outer[0], n_faces, n_nodes, 0, -1)]
-        slope = [_radial(SLOPE, n_faces - 1, n_nodes, 0, -1), _radial(outer[1], n_faces, n_nodes, 0, -1)]
-        value_r = both(*(np.vstack([inner, last[-1:]]) for inner, last in zip(*value, strict=True)))
-        slope_r = both(*(np.vstack([inner, last[-1:]]) / grid.d_xi for inner, last in zip(*slope, strict=True)))
-        outflow, inflow = _radial(SLOPE, n_r, n_faces, 1, 0)
-        balance_r = both(outflow, inflow) / grid.d_xi
-        # Summed over a ring the formula leaves 1/12 of the flux through its first circle at the centre, where no liquid can
-        # stay.  Without that mean the fluxes telescope exactly.
-        ring = np.full(n_angles, 1 / grid.n_theta)
-        ring[[0, -1]] /= 2
-        lost = np.zeros((n_r, n_faces))
-        lost[0, 1] = 1 / 12 / grid.d_xi
-        balance_r = sparse.csr_array(balance_r - _kron(lost, np.tile(ring, (n_angles, 1))))
-
-        n_gaps = grid.n_theta
-        bias_r = both(*(np.vstack([part, np.zeros((1, n_nodes))]) for part in _radial(UPSTREAM, n_faces - 1, n_nodes, 0, -1)))
-        bias_t = _angular(UPSTREAM, n_gaps, n_angles, 1, on_axis=True, sign=1)
-        value_t = _angular(MIDPOINT, n_gaps, n_angles, 1, on_axis=True, sign=1)
-        slope_t = _angular(SLOPE, n_gaps, n_angles, 1, on_axis=True, sign=1) / grid.d_s
-        balance_t = _angular(SLOPE, n_angles, n_gaps, 0, on_axis=False, sign=-1) / grid.d_s
-        inner = np.eye(n_r, n_nodes)
-
+        n_r, n_faces = grid.n_r, grid.n_r + 2  # from the centre (no area) to the one beyond the last cell, for fourth order
         r, r_face = grid.r[:n_r], grid.r_face[:n_faces]
         theta_face = grid.theta_of(grid.s_face)
-        cosine = balance_t @ np.sin(theta_face)  # θ′ cos θ
-        stretch = (outflow - inflow) @ r_face / grid.d_xi  # r′
-        drag = np.outer(r_face, cosine).ravel(), -np.outer(stretch, np.sin(theta_face)).ravel()
+        # Metric factors are differences themselves, of functions that are odd: of sin θ, θ′ cos θ, and of r, r′.
+        sine = np.sin(theta_face)
+        cosine = _sloping(np.concatenate([-sine[1::-1], sine, -sine[:-3:-1]])) / grid.d_s
+        stretch = _sloping(np.concatenate([-r_face[1:2], r_face])) / grid.d_xi
+        radial = np.outer(r_face / grid.dr_dxi(r_face), grid.dtheta_ds(grid.s))
+        angular = np.outer(grid.dr_dxi(r) / r, 1 / grid.dtheta_ds(grid.s_face))
         return cls(
-            slope=(slope_r, _kron(inner, slope_t)),
-            midpoint=(value_r, _kron(inner, value_t)),
-            # The liquid comes from +x: a face whose drag is positive has its upstream nodes at higher index.
-            upstream=(scaled_rows(bias_r, np.sign(drag[0])), scaled_rows(_kron(inner, bias_t), np.sign(drag[1]))),
-            divergence=(balance_r, _kron(np.eye(n_r), balance_t)),
-            conductance=(
-                np.outer(r_face / grid.dr_dxi(r_face), grid.dtheta_ds(grid.s)).ravel(),
-                np.outer(grid.dr_dxi(r) / r, 1 / grid.dtheta_ds(grid.s_face)).ravel(),
-            ),
-            drag=drag,
+            differences=Differences.on(grid, FOURTH),
+            nearest=Differences.on(grid, SECOND),
+            conductance=np.concatenate([radial.ravel(), angular.ravel()]),
+            drag=np.concatenate([np.outer(r_face, cosine).ravel(), -np.outer(stretch, np.sin(theta_face)).ravel()]),
         )
 
-    def residual(self, pressure: Array, film: Array, speed: float, liquid: Liquid = CONSTANT) -> Array:
-        """Minus the balance of (6a) at the unknown nodes; positive where the film would be starved (p = 0).
+    def at(self, pressure: Array, film: Array, speed: float, liquid: Liquid = CONSTANT) -> Flow:
+        """The flow between the nodes.
 
         Parameters
         ----------
@@ -167,83 +223,96 @@ class ReynoldsOperator:
             1/β, the normalised speed.
         liquid : Liquid
             Of its reduced pressure q and its density ρ the flux is ρu³∇q.
-
-        Notes
-        -----
-        A difference of the pressure times a fluidity between the nodes is wrong where the fluidity falls by orders of
-        magnitude from one to the next, and lets the solution hang on which node is highest; a difference of q is bounded.
-
-        Where the fluidity goes to zero nothing but ∂(ρu)/∂x is left of the equation, and a central formula does not see a film
-        that alternates from node to node.  So the transported ρu is upwind-biased there, with the weight 1 − φ: not at
-        all for constant viscosity.
         """
-        balance = 0.0
-        for face in self._faces(pressure, film, liquid):
-            poiseuille = face.density * face.conductance * face.film**3 * face.gradient
-            balance = balance + face.divergence @ (poiseuille + speed * face.drag * (face.carried + face.weight * face.bias))
-        return -np.asarray(balance)
+        return Flow(self, pressure, film, speed, liquid)
 
-    def derivatives(self, pressure: Array, film: Array, speed: float, liquid: Liquid = CONSTANT) -> tuple[Sparse, Sparse]:
-        """Exact derivatives of `residual` by pressure and by film, each (unknown nodes, all nodes), sparse."""
-        shape = (self.divergence[0].shape[0], self.slope[0].shape[1])
-        by_reduced, by_film, by_weight, by_density = (sparse.csr_array(shape) for _ in range(4))
-        fluidity, thickening = liquid.fluidity(pressure)  # q′(p) and its change
-        density, stiffness = liquid.density(pressure)
-        compressible = np.any(stiffness)
-        for face in self._faces(pressure, film, liquid):
-            mobility = face.conductance * face.film**3
-            carried = scaled_rows(face.midpoint, speed * face.drag)  # ∂/∂(ρu)
-            if np.any(face.weight):
-                carried = Sparse(carried + scaled_rows(face.upstream, speed * face.drag * face.weight))
-                steep = np.where((face.weight > 0) & (face.weight < 1), speed * face.drag * face.bias, 0.0)
-                by_weight = by_weight - face.divergence @ scaled_rows(face.midpoint, steep)
-            if compressible:
-                pressed = scaled_rows(face.midpoint, mobility * face.gradient)
-                by_density = by_density - face.divergence @ (pressed + scaled_columns(carried, film))
-                carried = scaled_columns(carried, density)
-            pushed = scaled_rows(face.midpoint, 3 * face.density * face.conductance * face.film**2 * face.gradient)
-            by_reduced = by_reduced - face.divergence @ scaled_rows(face.slope, face.density * mobility)
-            by_film = by_film - face.divergence @ (pushed + carried)
-        if not (np.any(thickening) or compressible):
-            return by_reduced, by_film
-        by_pressure = scaled_columns(by_reduced, fluidity) + scaled_columns(by_weight, -thickening)
-        return Sparse(by_pressure + scaled_columns(by_density, stiffness)), by_film
-
-    def _faces(self, pressure: Array, film: Array, liquid: Liquid) -> Iterator[_Faces]:
-        """What `residual` and `derivatives` need on the radial faces, then on the angular ones."""
-        parts = (self.slope, self.midpoint, self.upstream, self.divergence, self.conductance, self.drag)
-        reduced, fluidity = liquid.reduced_pressure(pressure), liquid.fluidity(pressure)[0]
-        density = liquid.density(pressure)[0]
-        for slope, midpoint, upstream, divergence, conductance, drag in zip(*parts, strict=True):
-            yield _Faces(
-                slope,
-                midpoint,
-                upstream,
-                divergence,
-                conductance,
-                drag,
-                film=midpoint @ film,
-                carried=midpoint @ (density * film),
-                density=midpoint @ density,
-                gradient=slope @ reduced,
-                bias=upstream @ (density * film),
-                weight=np.clip(1 - midpoint @ fluidity, 0.0, 1.0),
-            )
+    def residual(self, pressure: Array, film: Array, speed: float, liquid: Liquid = CONSTANT) -> Array:
+        """Minus the balance of (6a) at the unknown nodes, see `Flow.residual`; the parameters are those of `at`."""
+        return self.at(pressure, film, speed, liquid).residual
 
 
-@dataclass(frozen=True)
-class _Faces:
-    """Formulas and values on the faces of one direction; see `ReynoldsOperator`."""
+class Flow:
+    """Fluxes between the nodes under one pressure and film, and their exact derivatives.
 
-    slope: Sparse
-    midpoint: Sparse
-    upstream: Sparse
-    divergence: Sparse
-    conductance: Array
-    drag: Array
-    film: Array
-    carried: Array
-    density: Array
-    gradient: Array
-    bias: Array
-    weight: Array
+    A difference of the pressure times a fluidity between the nodes is wrong where the fluidity falls by orders of magnitude
+    from one to the next, and lets the solution hang on which node is highest; a difference of the reduced pressure q is
+    bounded.
+
+    Where the fluidity goes to zero nothing but ∂(ρu)/∂x is left of the equation, and a central formula does not see a film
+    that alternates from node to node.  So the transported ρu is upwind-biased there, with the weight 1 − φ: not at all for
+    constant viscosity.
+
+    Parameters
+    ----------
+    operator : ReynoldsOperator
+        The differences.
+    pressure, film, speed, liquid
+        See `ReynoldsOperator.at`.
+    """
+
+    def __init__(self, operator: ReynoldsOperator, pressure: Array, film: Array, speed: float, liquid: Liquid) -> None:
+        differences = operator.differences
+        self._operator = operator
+        self._drag = speed * operator.drag
+        self._film = film
+        self._on_faces = carried = differences.midpoint @ film
+        self._gradient = differences.slope @ liquid.reduced_pressure(pressure)
+        self._fluidity, self._thickening = liquid.fluidity(pressure)  # q′(p) and its change
+        self._density, self._compression = liquid.density(pressure)
+        self._constant = not (np.any(self._thickening) or np.any(self._compression))
+        self._density_on_faces, self._weight, self._bias = np.ones(1), np.zeros(1), np.zeros(1)
+        if not self._constant:
+            carried = differences.midpoint @ (self._density * film)
+            self._density_on_faces = differences.midpoint @ self._density
+            self._weight = np.clip(1 - differences.midpoint @ self._fluidity, 0.0, 1.0)
+            self._bias = differences.upstream @ (self._density * film)
+        self._mobility = operator.conductance * self._on_faces**3
+        poiseuille = self._density_on_faces * self._mobility * self._gradient
+        self._flux = poiseuille + self._drag * (carried + self._weight * self._bias)
+
+    @cached_property
+    def residual(self) -> Array:
+        """Minus the balance of (6a) at the unknown nodes; positive where the film would be starved (p = 0)."""
+        return -(self._operator.differences.divergence @ self._flux)
+
+    def entries(self, differences: Differences) -> tuple[Array, Array]:
+        """Derivatives of the fluxes by pressure and by film, as entries of the pattern of some differences."""
+        face, node = differences.face, differences.node
+        slope, midpoint = differences.slope.data, differences.midpoint.data
+        pushed = 3 * self._density_on_faces * self._operator.conductance * self._on_faces**2 * self._gradient
+        by_pressure = (self._density_on_faces * self._mobility)[face] * slope
+        if self._constant:
+            return by_pressure, (pushed + self._drag)[face] * midpoint
+        weight = self._weight
+        transport = self._drag[face] * midpoint + (self._drag * weight)[face] * differences.upstream.data  # ∂/∂(ρu)
+        steep = np.where((weight > 0) & (weight < 1), self._drag * self._bias, 0.0)
+        pressed = (self._mobility * self._gradient)[face] * midpoint + transport * self._film[node]
+        by_pressure = by_pressure * self._fluidity[node] - steep[face] * midpoint * self._thickening[node]
+        by_pressure += pressed * self._compression[node]
+        return by_pressure, pushed[face] * midpoint + transport * self._density[node]
+
+    @cached_property
+    def derivatives(self) -> tuple[Sparse, Sparse]:
+        """Derivatives of the fluxes by pressure and by film, exact, each of shape (faces, n)."""
+        differences = self._operator.differences
+        by_pressure, by_film = self.entries(differences)
+        return differences.with_entries(by_pressure), differences.with_entries(by_film)
+
+    def change(self, pressure: Array, film: Array) -> Array:
+        """Change of `residual` with changes of pressure and film on all nodes."""
+        by_pressure, by_film = self.derivatives
+        return -(self._operator.differences.divergence @ (by_pressure @ pressure + by_film @ film))
+
+    def diagonal(self, deflection: Array) -> Array:
+        """Size of the residual's derivative by the own pressure of a node.
+
+        Parameters
+        ----------
+        deflection : ndarray, shape (n,)
+            What the pressure on a node does to the film there.
+        """
+        differences = self._operator.differences
+        by_pressure, by_film = self.derivatives
+        own = np.abs(differences.diagonal @ by_pressure.data)
+        through = Sparse((np.abs(by_film.data), by_film.indices, by_film.indptr), by_film.shape) @ deflection
+        return own + differences.span @ through

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from softlube.discretization.elasticity import ElasticOperator, elastic_operator, rim_slice
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
-from softlube.discretization.preconditioner import Border, FilmEquation, local_stiffness
-from softlube.discretization.reynolds import ReynoldsOperator, Sparse
+from softlube.discretization.preconditioner import Border, FilmBalance, FilmEquation, local_stiffness
+from softlube.discretization.reynolds import Flow, ReynoldsOperator
 from softlube.model.dry import dry_contact, smeared_contact
 from softlube.model.exact import HERTZ_LOAD, far_field_profile, kapitza_pressure
 from softlube.model.problem import Problem
@@ -35,9 +35,9 @@ LEAST_LIFT, LIFTS = 0.25, 20
 
 
 @lru_cache(maxsize=8)
-def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> tuple[ElasticOperator, ReynoldsOperator, Sparse]:
-    elastic = elastic_operator(grid, cavitation, substrate.remainder)
-    return elastic, ReynoldsOperator.on(grid), local_stiffness(grid, elastic)
+def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> tuple[ElasticOperator, ReynoldsOperator, FilmBalance]:
+    elastic, reynolds = elastic_operator(grid, cavitation, substrate.remainder), ReynoldsOperator.on(grid)
+    return elastic, reynolds, FilmBalance(reynolds.nearest, local_stiffness(grid, elastic))
 
 
 def forget_operators() -> None:
@@ -69,9 +69,10 @@ class ContactSystem:
         self.prescribed = HERTZ_LOAD * scale**-1.5 if problem.load_controlled else problem.height / scale
         # Lengths scale with the root of the unit, and so do pressures.
         self.substrate, self.liquid = problem.substrate.in_units(scale), problem.liquid.in_units(scale)
-        self.elastic, self.reynolds, self.stiffness = _operators(grid, problem.cavitation, self.substrate)
-        self.self_deflection = 1 / np.abs(self.stiffness.diagonal())
+        self.elastic, self.reynolds, self.balance = _operators(grid, problem.cavitation, self.substrate)
         n, load_controlled = grid.n_unknown, problem.load_controlled
+        self.self_deflection = np.zeros(grid.shape[0] * grid.shape[1])
+        self.self_deflection[:n] = 1 / np.abs(self.balance.stiffness.diagonal())
         self.constrained = np.zeros(n + load_controlled, dtype=bool)
         self.constrained[:n] = problem.cavitation == "reynolds"
         # The far field, and with it the film, is linear in h₀: value = [0] + h₀ [1].
@@ -183,23 +184,16 @@ class LinearisedContact:
         return self.system.film(self.x)
 
     @cached_property
+    def flow(self) -> Flow:
+        """The fluxes between the nodes."""
+        system = self.system
+        return system.reynolds.at(system.pressure(self.x), self.film, system.speed, system.liquid)
+
+    @cached_property
     def residual(self) -> Array:
         """Reynolds residual at the unknown nodes, then the load's defect under load control."""
-        system = self.system
-        reynolds = system.reynolds.residual(system.pressure(self.x), self.film, system.speed, system.liquid)
-        return np.append(reynolds, system.load(self.x) - system.prescribed) if system.problem.load_controlled else reynolds
-
-    @cached_property
-    def _derivatives(self) -> tuple[Sparse, Sparse]:
-        system = self.system
-        return system.reynolds.derivatives(system.pressure(self.x), self.film, system.speed, system.liquid)
-
-    @cached_property
-    def _within(self) -> tuple[Sparse, Sparse]:
-        """Derivatives of the residual by pressure and film on the unknown nodes, each (unknown nodes, unknown nodes)."""
-        n = self.system.grid.n_unknown
-        by_pressure, by_film = self._derivatives
-        return Sparse(by_pressure[:, :n]), Sparse(by_film[:, :n])
+        system, balance = self.system, self.flow.residual
+        return np.append(balance, system.load(self.x) - system.prescribed) if system.problem.load_controlled else balance
 
     @cached_property
     def scale(self) -> Array:
@@ -207,53 +201,54 @@ class LinearisedContact:
 
         The second is by far the larger within the contact; without it a residual there would be taken for cavitation.
         """
-        by_pressure, by_film = self._within
-        scale = np.abs(by_pressure.diagonal()) + abs(by_film) @ self.system.self_deflection + 1e-300
+        scale = self.flow.diagonal(self.system.self_deflection) + 1e-300
         return np.append(scale, 1.0) if self.system.problem.load_controlled else scale
 
     def times(self, step: Array) -> Array:
         """Jacobian times a vector."""
         system, n = self.system, self.system.grid.n_unknown
-        result = self._within[0] @ step[:n] + self._derivatives[1] @ system.elastic.deflection(step[:n])
+        height = step[-1] if system.problem.load_controlled else 0.0
+        result = self.change(np.concatenate([step[:n], height * system.rim_pressure[1]]), system.film_change(step))
         if not system.problem.load_controlled:
             return result
-        return np.append(
-            result + step[-1] * self._by_height, self._load_by_pressure @ step[:n] + step[-1] * system.load_offset[1]
-        )
+        return np.append(result, system.elastic.load_weights[:n] @ step[:n] + height * system.load_offset[1])
 
-    @cached_property
-    def _by_height(self) -> Array:
-        system = self.system
-        by_pressure, by_film = self._derivatives
-        return by_film @ system.film_offset[1] + by_pressure[:, rim_slice(system.grid)] @ system.rim_pressure[1]
+    def change(self, pressure: Array, film: Array) -> Array:
+        """Change of the balances of the cells with changes of pressure and film on all nodes."""
+        return self.flow.change(pressure, film)
 
-    @property
-    def _load_by_pressure(self) -> Array:
-        return self.system.elastic.load_weights[: self.system.grid.n_unknown]
+    def balance_entries(self) -> Array:
+        """Entries of the approximate Jacobian by the film, see `softlube.discretization.preconditioner.FilmBalance`."""
+        return self.system.balance.entries(*self.flow.entries(self.system.reynolds.nearest))
 
     def equation(self, free: Mask) -> FilmEquation:
         """Newton's equation on the free unknowns."""
         system, n = self.system, self.system.grid.n_unknown
         border = None
         if system.problem.load_controlled:
-            border = Border(self._by_height, self._load_by_pressure, float(system.load_offset[1]))
-        return FilmEquation(self.times, *self._within, system.stiffness, free[:n], self.film[:n], border)
+            by_height = self.change(np.concatenate([np.zeros(n), system.rim_pressure[1]]), system.film_offset[1])
+            # Under a light load the pressure hardly moves the film, and would drown in the changes by the height.
+            center = float(self.film[0])
+            deflection = abs(center - system.height(self.x) - float(system.grid.r[0]) ** 2 / 2)
+            unit = center * max(1.0, center / max(deflection, 1e-300))
+            border = Border(by_height, system.elastic.load_weights[:n], float(system.load_offset[1]), unit)
+        return FilmEquation(self.times, system.balance, self.balance_entries(), free[:n], self.film[:n], border)
 
-    def size(self, step: Array) -> float:
-        """Largest relative change of the film, or of the pressure over its maximum if that is larger.
+    def reach(self, step: Array) -> tuple[float, float]:
+        """How large a step is, and the largest fraction of it that may be taken.
 
-        Under a light load the film hardly knows the pressure, in the Hertz limit the pressure hardly knows the film.
+        Returns
+        -------
+        size : float
+            Largest relative change of the film, or of the pressure over its maximum if that is larger: under a light load the
+            film hardly knows the pressure, in the Hertz limit the pressure hardly knows the film.
+        fraction : float
+            Down to which the film keeps `FILM_KEPT` of its thickness and the liquid its viscosity.
         """
         n = self.system.grid.n_unknown
-        film = float(np.max(np.abs(self.system.film_change(step)) / self.film))
-        return max(film, float(np.max(np.abs(step[:n])) / np.max(np.abs(self.x[:n]), initial=1e-300)))
-
-    def longest_step(self, step: Array) -> float:
-        """Fraction of the step down to which the film keeps `FILM_KEPT` of its thickness and the liquid its viscosity."""
-        n = self.system.grid.n_unknown
-        change = self.system.film_change(step)
-        falling = change < 0
-        film = float(np.min((1 - FILM_KEPT) * self.film[falling] / -change[falling], initial=1.0))
+        change = self.system.film_change(step) / self.film
+        size = max(float(np.max(np.abs(change))), float(np.max(np.abs(step[:n])) / np.max(np.abs(self.x[:n]), initial=1e-300)))
+        fraction = min(1.0, (1 - FILM_KEPT) / max(-float(np.min(change)), 1e-300))
         fluidity, slope = self.system.liquid.fluidity(self.x[:n])
         thinning = float(np.max(slope / fluidity * step[:n], initial=0.0))
-        return min(film, LARGEST_THINNING / thinning) if thinning > LARGEST_THINNING else film
+        return size, min(fraction, LARGEST_THINNING / thinning) if thinning > LARGEST_THINNING else fraction

@@ -53,9 +53,21 @@ class LinearisedStep(LinearisedContact):
         return super().residual + (np.append(growth, 0.0) if self.system.problem.load_controlled else growth)
 
     @cached_property
-    def _derivatives(self) -> tuple[Sparse, Sparse]:
-        by_pressure, by_film = super()._derivatives
-        return by_pressure, Sparse(by_film + self.weight * self.mass)
+    def scale(self) -> Array:
+        """Size of the Jacobian's diagonal, with the film's rate."""
+        scale, held = super().scale.copy(), self.weight * self.mass.diagonal()
+        scale[: held.size] += held * self.system.self_deflection[: held.size]
+        return scale
+
+    def change(self, pressure: Array, film: Array) -> Array:
+        """Change of the balances of the cells with changes of pressure and film on all nodes."""
+        return super().change(pressure, film) + self.weight * (self.mass @ film)
+
+    def balance_entries(self) -> Array:
+        """Entries of the approximate Jacobian by the film, with what the cells hold."""
+        entries = super().balance_entries()
+        entries[self.system.balance.diagonal] += self.weight * self.mass.diagonal()
+        return entries
 
 
 class Step:

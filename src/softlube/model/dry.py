@@ -18,7 +18,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline
 
 from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
@@ -47,15 +46,15 @@ class DryContact:
         ∫p dA.
     edge_rise : float
         Pressure close inside the edge over that of the Hertz contact of the same radius, p = edge_rise (2/π²) √(2a(a − r)).
-    density : CubicSpline
-        φ(s) for 0 ≤ s ≤ a.
+    slope : callable
+        φ′(s) for 0 ≤ s ≤ a.
     """
 
     radius: float
     indentation: float
     load: float
     edge_rise: float
-    density: CubicSpline
+    slope: Callable[[Array], Array]
 
     def like_hertz(self, beta: float) -> float:
         """β of the lubricated half-space whose boundary layers at the contact edge are as wide over the contact radius.
@@ -76,7 +75,12 @@ class DryContact:
         x, weight = leggauss(48)
         # s² = r² + τ² takes the root away; φ′(s)/s is smooth.
         s = np.sqrt(r**2 + (self.radius**2 - r**2) * ((x + 1) / 2) ** 2)
-        return -self.radius / 2 * np.sum(self.density(s, 1) / np.maximum(s, 1e-12) * weight, axis=-1)
+        return -self.radius / 2 * np.sum(self.slope(s) / np.maximum(s, 1e-12) * weight, axis=-1)
+
+
+def _of_half_space(s: Array) -> Array:
+    """φ′(s) on a half-space."""
+    return -2 * s / np.pi**2
 
 
 @lru_cache(maxsize=512)
@@ -115,13 +119,17 @@ def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
     rim = np.array([radius])
     depth = float((interpolated(bowl, rim**2, rim) / interpolated(flat, np.ones(1), rim))[0])
     phi = depth * flat - bowl
-    s = radius * np.sin(np.linspace(0, np.pi / 2, 2 * n + 1))
-    values = interpolated(phi, depth - s**2, s)
-    values[-1] = 0.0
-    density = CubicSpline(s, values, bc_type=EVEN)
+    slope = _of_half_space
+    if k.size:
+        from scipy.interpolate import CubicSpline  # slow to import, and half-spaces do without
+
+        s = radius * np.sin(np.linspace(0, np.pi / 2, 2 * n + 1))
+        values = interpolated(phi, depth - s**2, s)
+        values[-1] = 0.0
+        slope = CubicSpline(s, values, bc_type=EVEN).derivative()
     # φ′(a) from the derivative of the equation; −2a/π² for Hertz.
     edge = 1 - np.pi / radius * float(np.sin(radius * k) @ (k * defect * (waves.T @ (weight * phi))))
-    return DryContact(radius, depth, float(2 * np.pi * weight @ phi), edge, density)
+    return DryContact(radius, depth, float(2 * np.pi * weight @ phi), edge, slope)
 
 
 @lru_cache(maxsize=512)
@@ -180,16 +188,17 @@ def smeared_contact(substrate: Substrate, indentation: float, width: float) -> C
     spread = width * np.cos(np.pi * (np.arange(SMEARED) + 0.5) / SMEARED)
     # δ is about a², so the mean of the depths is about this much more than that of the mean radius.
     radius = dry_contact_at(substrate, indentation=indentation / float(np.mean((1 + spread) ** 2))).radius
-    y = np.linspace(0, 1, 201)
-    low, middle, high = (
-        CubicSpline(y, dry_contact(substrate, radius * (1 + part)).smooth_part(y)) for part in (-width, 0.0, width)
-    )
+    table = np.linspace(0, 1, 201)
+    low, middle, high = (dry_contact(substrate, radius * (1 + part)).smooth_part(table) for part in (-width, 0.0, width))
     t = spread / width
 
     def pressure(r: ArrayLike) -> Array:
         y = np.asarray(r, dtype=float)[..., None] / (radius * (1 + spread))
         inside = np.minimum(y, 1)
-        smooth = t * (t - 1) / 2 * low(inside) + (1 - t**2) * middle(inside) + t * (t + 1) / 2 * high(inside)
+        smooth = sum(
+            share * np.interp(inside, table, part)
+            for share, part in ((t * (t - 1) / 2, low), (1 - t**2, middle), (t * (t + 1) / 2, high))
+        )
         return np.mean(smooth * np.sqrt(1 - inside**2), axis=-1)
 
     return pressure

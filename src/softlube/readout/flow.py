@@ -18,8 +18,8 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import RectBivariateSpline
 
+from softlube.discretization.splines import Spline
 from softlube.errors import InputError
 from softlube.readout.free_boundary import CENTRE, filling, free_boundary, is_wet, polar
 from softlube.steady.solution import Solution
@@ -59,7 +59,7 @@ def driving_gradient(solution: Solution, r: ArrayLike, theta: ArrayLike) -> tupl
     return _gradient(solution, solution.fields.reduced_spline, r, theta)
 
 
-def _gradient(solution: Solution, spline: RectBivariateSpline, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
+def _gradient(solution: Solution, spline: Spline, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
     chart = solution.fields.chart
     radius, angle, side = polar(r, theta)
     xi, s = chart.xi_of(radius), chart.s_of(angle)

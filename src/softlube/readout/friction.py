@@ -19,6 +19,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
+from softlube.discretization.fields import Places
 from softlube.discretization.measure import friction_parts, integrate
 from softlube.errors import InputError
 from softlube.model.exact import far_field_profile
@@ -93,34 +94,23 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
         If the cutoff is not positive or beyond the solution.
     """
     fields = solution.fields
-    chart = fields.chart
 
-    def cosines(s: Array) -> Array:
-        return np.cos(chart.theta_of(s))
+    def couette(at: Places) -> Array:
+        return fields.viscosity_on(at) / (fields.beta * fields.film_on(at))
 
-    def couette(xi: Array, s: Array) -> Array:
-        return fields.viscosity_on(xi, s) / (fields.beta * fields.film_spline(xi, s))
+    def poiseuille(at: Places) -> Array:
+        return 3 * fields.film_on(at) * fields.gradient_on(at)[0]
 
-    def poiseuille(xi: Array, s: Array) -> Array:
-        return 3 * fields.film_spline(xi, s) * fields.gradient_on(xi, s)[0]
+    def on_sphere(at: Places) -> Array:
+        return 6 * fields.pressure_on(at) * at.r[:, None] * at.cosine
 
-    def on_sphere(xi: Array, s: Array) -> Array:
-        return 6 * fields.pressure_spline(xi, s) * chart.r_of(xi)[:, None] * cosines(s)
-
-    def film_slope(xi: Array, s: Array) -> Array:
-        r, theta = chart.r_of(xi)[:, None], chart.theta_of(s)
-        u_r = fields.film_spline(xi, s, dx=1) / chart.dr_dxi(r)
-        u_t = fields.film_spline(xi, s, dy=1) / chart.dtheta_ds(s) / r
-        return np.cos(theta) * u_r - np.sin(theta) * u_t
-
-    def on_substrate(xi: Array, s: Array) -> Array:
-        return on_sphere(xi, s) - 6 * fields.pressure_spline(xi, s) * film_slope(xi, s)
+    def on_substrate(at: Places) -> Array:
+        return on_sphere(at) - 6 * fields.pressure_on(at) * fields.gradient_on(at, fields.film_spline)[0]
 
     x, weight = leggauss(64)
-    s = np.pi * (x + 1) / 2
-    xi = chart.xi_of(np.array([cutoff]))
-    pu = (fields.pressure_spline(xi, s) * fields.film_spline(xi, s))[0]
-    edge = 12 * cutoff * float(np.sum(pu * cosines(s) * chart.dtheta_ds(s) * weight)) * np.pi / 2
+    rim = fields.mesh.places(fields.chart.xi_of(np.array([cutoff])), np.pi * (x + 1) / 2)
+    pu = (fields.pressure_on(rim) * fields.film_on(rim))[0]
+    edge = 12 * cutoff * float(np.sum(pu * rim.cosine * rim.dtheta_ds * weight)) * np.pi / 2
     return FrictionSplit(
         cutoff=float(cutoff),
         couette=integrate(fields, couette, cutoff) + solution.friction_missed(cutoff),
@@ -214,7 +204,7 @@ def vertical_balance(solution: Solution, radius: float = 8.0) -> VerticalBalance
     angle = np.linspace(0, np.pi, 2001)
     profile = far_field_profile(angle, fields.cavitation) / fields.beta
     far_mean = float(np.trapezoid(profile, angle)) / np.pi
-    inside = integrate(fields, lambda xi, s: fields.pressure_spline(xi, s), reach)
+    inside = integrate(fields, fields.pressure_on, reach)
     sphere = inside + 2 * np.pi * far_mean / reach
 
     def influence(r: Array) -> Array:
@@ -223,7 +213,7 @@ def vertical_balance(solution: Solution, radius: float = 8.0) -> VerticalBalance
         return 2 / np.pi * ellipkm1(gap) / large
 
     # The quadrature's points miss the circle itself, where the kernel has a logarithm and the pressure hardly anything.
-    near = integrate(fields, lambda xi, s: fields.pressure_spline(xi, s) * influence(chart.r_of(xi))[:, None], reach)
+    near = integrate(fields, lambda at: fields.pressure_on(at) * influence(at.r)[:, None], reach)
     beyond = np.geomspace(reach, 1e4 * reach, 4001)
     far = 2 * np.pi * far_mean * float(np.trapezoid(influence(beyond) / beyond, np.log(beyond)))
     # On the nodes themselves: between them the film's parabola would drown the displacement in interpolation errors.

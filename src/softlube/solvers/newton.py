@@ -8,6 +8,7 @@ then as fast as the linear equations are solved well (Hintermüller, Ito & Kunis
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Protocol
@@ -15,17 +16,19 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import lu_factor, lu_solve
-from scipy.sparse.linalg import LinearOperator, gmres
 
 from softlube.solvers import budget
+from softlube.solvers.threads import one_thread
 
 Array = NDArray[np.floating]
 Mask = NDArray[np.bool_]
 
-LINEAR_TOLERANCE = 1e-3
-"""Reduction of the (preconditioned) linear residual in each Newton step."""
+LINEAR_TOLERANCE, FIRST_TOLERANCE = 1e-3, 1e-2
+"""Reduction of the (preconditioned) linear residual in each Newton step: after a short step, and before."""
 REUSE_BELOW = 0.1
-"""Size of a step after which the preconditioner is good for the next one too."""
+"""Size of a step that is short: after it the preconditioner is good for the next one too."""
+DOUBT = 1.25
+"""Size of a step over what the preconditioner alone says of it, at least: the last step that was short told how much it is."""
 WORST_REDUCTION = 0.1
 """What may be left of a linear residual for a small step to mean convergence."""
 NEGLIGIBLE = 1e-8
@@ -117,12 +120,10 @@ class Linearised(Protocol):
         """Newton's equation on the unknowns `free`, preconditioned."""
         ...
 
-    def size(self, step: Array) -> float:
-        """How large a step is, relative to the state: the largest of its parts."""
-        ...
-
-    def longest_step(self, step: Array) -> float:
-        """Largest fraction of the step that keeps the state admissible."""
+    def reach(self, step: Array) -> tuple[float, float]:
+        """How large a step is, relative to the state (the largest of its parts), and the largest fraction of it that keeps the
+        state admissible.
+        """
         ...
 
 
@@ -174,6 +175,7 @@ class NewtonResult:
     history: tuple[Iteration, ...]
 
 
+@one_thread
 def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterations: int = 40) -> NewtonResult:
     """Solve a complementarity problem from a starting point.
 
@@ -197,6 +199,11 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
     history: list[Iteration] = []
     before: Mask | None = None
     equation: LinearEquation | None = None
+    said, doubt = 0.0, DOUBT
+
+    def ended(converged: bool) -> NewtonResult:
+        return NewtonResult(np.where(system.constrained, np.maximum(x, 0.0), x) if converged else x, converged, tuple(history))
+
     for _ in range(max_iterations):
         budget.check()
         at = system.linearise(x)
@@ -204,14 +211,24 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
         free = ~active
         settled = before is not None and np.array_equal(active, before)
         step = np.where(active, -x, 0.0)
-        right = np.where(free, -at.residual - (at.times(step) if step.any() else 0.0), 0.0)
-        near = settled and history[-1].step < REUSE_BELOW
+        residual = np.where(free, -at.residual - (at.times(step) if step.any() else 0.0), 0.0)
+        short = bool(history) and history[-1].step < REUSE_BELOW
+        near = settled and short
         equation = equation.at(at.times) if near and equation is not None else at.equation(free)
-        correction, krylov, left = _solve(equation, right)
-        step += correction
+        right = equation.right(residual)
+        if near:
+            rough = step + equation.step(right)
+            said = at.reach(rough)[0]
+            if doubt * said < tolerance:  # a whole step would only confirm it
+                x = x + rough
+                return ended(True)
+        unknown, krylov, left = gmres(equation.operator, right, LINEAR_TOLERANCE if short else FIRST_TOLERANCE)
+        step += equation.step(unknown)
         if not np.all(np.isfinite(step)):
             break
-        fraction, size = at.longest_step(step), at.size(step)
+        size, fraction = at.reach(step)
+        if near:
+            doubt = max(DOUBT, size / max(said, 1e-300))
         contraction = min(1.0, size / max(history[-1].step, 1e-300)) if history and settled else 1.0
         history.append(Iteration(size, fraction, int(active.sum()), krylov))
         x = x + fraction * step
@@ -219,26 +236,65 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
             x[active] = 0.0
         at_rest = settled and size * contraction < tolerance
         if fraction == 1 and left < WORST_REDUCTION and (at_rest or size < min(tolerance, NEGLIGIBLE)):
-            return NewtonResult(np.where(system.constrained, np.maximum(x, 0.0), x), True, tuple(history))
+            return ended(True)
         if fraction < 1e-6:
             break
         before = active
-    return NewtonResult(x, False, tuple(history))
+    return ended(False)
 
 
-def _solve(equation: LinearEquation, residual: Array) -> tuple[Array, int, float]:
-    """The solution of Newton's equation by GMRES, the number of iterations, and what is left of the residual."""
-    right = equation.right(residual)
-    norms: list[float] = []
-    solution, _ = gmres(
-        LinearOperator((right.size, right.size), matvec=equation.operator, dtype=float),
-        right,
-        rtol=LINEAR_TOLERANCE,
-        restart=LARGEST_KRYLOV,
-        maxiter=1,
-        callback=norms.append,
-        callback_type="pr_norm",
-    )
-    # Asked again, because GMRES believes its own recurrence even where it has broken down.
-    left = float(np.linalg.norm(right - equation.operator(solution))) / max(float(np.linalg.norm(right)), 1e-300)
-    return equation.step(solution), len(norms), left
+def gmres(operator: Callable[[Array], Array], right: Array, tolerance: float) -> tuple[Array, int, float]:
+    """Solve operator(x) = right for a linear operator near to the identity (Saad & Schultz 1986).
+
+    It starts from x = right, so what the operator does as the identity would is right from the beginning: the preconditioner
+    meets a load exactly, and so does every iterate.
+
+    Parameters
+    ----------
+    operator : callable
+        Of a vector of the shape of `right`.
+    right : ndarray, shape (n,)
+        Right-hand side.
+    tolerance : float
+        Residual, relative to the right-hand side, at which to stop; after `LARGEST_KRYLOV` iterations it stops anyway.
+
+    Returns
+    -------
+    solution : ndarray, shape (n,)
+    iterations : int
+        Products with the operator.
+    left : float
+        Relative residual.
+    """
+    scale = _norm(right)
+    if scale == 0:
+        return right, 0, 0.0
+    residual = right - operator(right)
+    norm = _norm(residual)
+    basis = np.empty((LARGEST_KRYLOV, right.size))
+    hessenberg = np.zeros((LARGEST_KRYLOV, LARGEST_KRYLOV - 1))
+    basis[0] = residual / max(norm, 1e-300)
+    # The vector that is orthogonal to the columns of the Hessenberg matrix tells the residual, by its norm.
+    normal = np.zeros(LARGEST_KRYLOV)
+    normal[0] = 1.0
+    k = 0
+    while k < LARGEST_KRYLOV - 1 and norm > tolerance * scale * _norm(normal):
+        new = operator(basis[k])
+        k += 1
+        hessenberg[:k, k - 1] = along = basis[:k] @ new
+        new -= along @ basis[:k]
+        length = _norm(new)
+        if not length > 1e-14 * _norm(along):  # nothing new: the equation is solved, or singular
+            break
+        hessenberg[k, k - 1] = length
+        basis[k] = new / length
+        normal[k] = -(normal[:k] @ along) / length
+    goal, matrix = norm * np.eye(k + 1, 1)[:, 0], hessenberg[: k + 1, :k]
+    if not np.all(np.isfinite(matrix)) or not np.isfinite(norm):
+        return np.full_like(right, np.nan), k + 1, np.inf
+    weights = np.linalg.lstsq(matrix, goal)[0]
+    return right + weights @ basis[:k], k + 1, _norm(goal - matrix @ weights) / scale
+
+
+def _norm(vector: Array) -> float:
+    return math.sqrt(vector @ vector)

@@ -9,11 +9,11 @@ from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import RectBivariateSpline
 
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.measure import measure
+from softlube.discretization.splines import Spline, bilinear
 from softlube.discretization.system import ContactSystem
 from softlube.discretization.unsteady import implicit_steps
 from softlube.errors import NotConvergedError
@@ -147,9 +147,11 @@ def prolong(x: Array, coarse: PolarGrid, fine: PolarGrid, regime: Regime) -> Arr
     values = x[: coarse.n_unknown].reshape(coarse.n_r, -1)
     mirrored = np.concatenate([values[:2][::-1, ::-1], values])
     xi = (np.arange(-2, coarse.n_r) + 0.5) * coarse.d_xi
-    degree = 1 if regime.thick else 3  # a cubic rings at a spike, and the viscosity with it
-    spline = RectBivariateSpline(xi, coarse.s, mirrored, kx=degree, ky=degree, s=0)
-    result = spline(np.minimum(coarse.xi_of(fine.r[: fine.n_r]), xi[-1]), coarse.s_of(fine.theta))
+    xi_fine, s_fine = np.minimum(coarse.xi_of(fine.r[: fine.n_r]), xi[-1]), coarse.s_of(fine.theta)
+    if regime.thick:  # a cubic rings at a spike, and the viscosity with it
+        result = bilinear(xi, coarse.s, mirrored, xi_fine[:, None], s_fine)
+    else:
+        result = Spline.through(xi, coarse.s, mirrored)(xi_fine, s_fine)
     if not regime.suction:
         result = np.maximum(result, 0)
     return np.append(result.ravel(), x[-1]) if problem.load_controlled else result.ravel()

@@ -13,6 +13,7 @@ from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.solvers import budget as time_budget
 from softlube.solvers.budget import DEFAULT_BUDGET
 from softlube.solvers.progress import Listener
+from softlube.solvers.threads import one_thread
 from softlube.steady.ladder import LARGEST_ACCURACY, solve_on_ladder
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
@@ -108,6 +109,7 @@ def check_accuracy(accuracy: float) -> None:
         raise InputError(f"accuracy: expected a relative error between {bounds}, got {accuracy!r}")
 
 
+@one_thread
 def solve_problem(
     problem: Problem,
     *,

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from softlube.discretization.reynolds import SLOPE
+from softlube.discretization.reynolds import FOURTH
 from softlube.solvers.newton import DenseEquation, newton
 from softlube.theory.inlet import INLET_MESH, Part, inlet, sinc_line, smooth_edge
 
@@ -135,7 +135,7 @@ class Strip:
         # Differences of fourth order on the staggered mesh; face k lies between the nodes k − 2 and k − 1.
         self.slope = np.zeros((n + 3, n))
         self.divergence = np.zeros((n, n + 3))
-        for offset, weight in SLOPE.items():
+        for offset, weight in FOURTH.slope.items():
             for i in range(n):
                 self.divergence[i, i + 2 + offset] = weight / mesh.step
                 self.slope[i + 1 - offset, i] = weight / (mesh.step * line.ds[n + i + 1 - offset])
@@ -236,19 +236,11 @@ class LinearisedStep:
         """Newton's equation on the unknowns `free`."""
         return DenseEquation.of(self._jacobian, free)
 
-    def _film_change(self, step: Array) -> Array:
+    def reach(self, step: Array) -> tuple[float, float]:
+        """Largest relative change of the film, and the fraction of the step that leaves `FILM_KEPT` of it everywhere."""
         strip = self.system.strip
-        return np.concatenate([strip.potential, strip.face_potential]) @ (step * strip.unit)
-
-    def size(self, step: Array) -> float:
-        """Largest relative change of the film."""
-        return float(np.max(np.abs(self._film_change(step)) / np.concatenate(self._films)))
-
-    def longest_step(self, step: Array) -> float:
-        """Fraction of the step down to which the film keeps `FILM_KEPT` of its thickness everywhere."""
-        change, film = self._film_change(step), np.concatenate(self._films)
-        falling = change < 0
-        return min(1.0, float(np.min((1 - FILM_KEPT) * film[falling] / -change[falling], initial=1.0)))
+        change = np.concatenate([strip.potential, strip.face_potential]) @ (step * strip.unit) / np.concatenate(self._films)
+        return float(np.max(np.abs(change))), min(1.0, (1 - FILM_KEPT) / max(-float(np.min(change)), 1e-300))
 
 
 @cache

@@ -45,7 +45,7 @@ FIRST_STEP = 1e-3
 LONGEST_GROWTH, SAFETY = 1.6, 0.85
 JUDGED_RADIUS = 3.0
 """Radius, over the contact's, within which the error of a step is judged."""
-NEWTON_TOLERANCE = 1e-2
+NEWTON_TOLERANCE = 1e-3
 """Of Newton's method in a step, over the tolerance of the step."""
 LIMIT_MET = 0.1
 """Relative distance from the film limit that counts as met, over the tolerance of a step."""

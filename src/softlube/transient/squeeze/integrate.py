@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
-from scipy.interpolate import CubicSpline
 
 from softlube.discretization.grid import PolarGrid
+from softlube.discretization.splines import lowest, slope_matrix
 from softlube.errors import InputError, NotConvergedError
 from softlube.solvers.progress import Listener, Progress
+from softlube.solvers.threads import one_thread
 from softlube.transient.motion import Motion
 from softlube.transient.squeeze.rings import SqueezeFilm
 
@@ -49,7 +50,7 @@ class Run:
     evaluations : int
         Number of evaluations of ∂u/∂t.
     dense : callable
-        Lifts on n rings at any time, by the integrator's own interpolant.
+        Lifts on n rings at any times, shape (times, n), by the integrator's own interpolant.
     """
 
     film: SqueezeFilm
@@ -64,7 +65,7 @@ class Run:
     inflow: Array
     ended_by: str
     evaluations: int
-    dense: Callable[[float], Array]
+    dense: Callable[[Array], Array]
 
     @property
     def r(self) -> Array:
@@ -81,16 +82,14 @@ class Run:
         """The `HISTORIES` at the steps, or at other times up to the last step."""
         if time is None:
             return read(self.film, self.films, self.pressures, self.heights, self.loads)
-        return read(self.film, *_fields(self.film, self.motion, time, [self.dense(t) for t in time]))
+        return read(self.film, *_fields(self.film, self.motion, time, self.dense(time)))
 
 
-def _fields(film: SqueezeFilm, motion: Motion, time: Array, inner: Sequence[Array]) -> tuple[Array, Array, Array, Array]:
-    """Films and pressures on all rings, heights and loads, from the lifts on n rings."""
-    drive = [float(motion.drive(t)) for t in time]
-    pressures = np.array([film.pressure(lift, q) for lift, q in zip(inner, drive, strict=True)])
-    films = np.array([film.whole_film(lift, q) for lift, q in zip(inner, drive, strict=True)])
-    heights = np.array([film.height(lift, q) for lift, q in zip(inner, drive, strict=True)])
-    return films, pressures, heights, pressures @ film.load_weights
+def _fields(film: SqueezeFilm, motion: Motion, time: Array, lifts: Array) -> tuple[Array, Array, Array, Array]:
+    """Films and pressures on all rings, heights and loads, from the lifts on n rings, shape (times, n)."""
+    drive = np.array([float(motion.drive(t)) for t in time])
+    pressures = film.pressure(lifts, drive)
+    return film.whole_film(lifts, drive), pressures, film.height(lifts, drive), pressures @ film.load_weights
 
 
 def read(film: SqueezeFilm, films: Array, pressures: Array, heights: Array, loads: Array) -> dict[str, Array]:
@@ -114,22 +113,14 @@ def _center(fields: Array) -> Array:
 
 
 def _lowest(film: SqueezeFilm, fields: Array) -> tuple[Array, Array]:
-    """Least value of each field and its radius: of the cubic spline, at its lowest sample and by the parabola there."""
-    xi = np.concatenate([-film.grid.xi[2::-1], film.grid.xi])
-    spline = CubicSpline(xi, np.concatenate([fields[:, 2::-1], fields], axis=1).T)
-    d = film.grid.d_xi
-    node = np.argmin(fields, axis=1)
-    offsets = np.linspace(-1, 1, 41) * d
-    least, place = np.empty((2, len(fields)))
-    for k, at in enumerate(film.grid.xi[node]):
-        points = np.clip(at + offsets, 0.0, xi[-1])
-        values = spline(points)[:, k]
-        lowest = int(np.argmin(values))
-        least[k], place[k] = values[lowest], points[lowest]
-        if 0 < lowest < points.size - 1 and points[lowest - 1] > 0:
-            ahead, drop = _vertex(*values[lowest - 1 : lowest + 2])
-            place[k] += ahead * (points[lowest + 1] - points[lowest])
-            least[k] -= drop
+    """Least value of each field and its radius, of the cubic spline."""
+    xi = film.grid.xi
+    mirrored = np.concatenate([fields[:, 2::-1], fields], axis=1)
+    slopes = mirrored @ slope_matrix(np.concatenate([-xi[2::-1], xi]))[3:].T
+    # The cubic about the centre is even.
+    line = np.stack([fields, slopes])
+    center = np.stack([fields[:, :1] - slopes[:, :1] * xi[0] / 2, np.zeros((len(fields), 1))])
+    place, least = lowest(np.append(0.0, xi), np.concatenate([center, line], axis=-1))
     return least, film.grid.r_of(place)
 
 
@@ -138,15 +129,12 @@ def least_on_nodes(film: Array) -> float:
     lowest = int(np.argmin(film))
     if not 0 < lowest < film.size - 1:
         return float(film[lowest])
-    return float(film[lowest] - _vertex(*film[lowest - 1 : lowest + 2])[1])
-
-
-def _vertex(before: float, here: float, after: float) -> tuple[float, float]:
-    """How far ahead of the middle of three values, in intervals, their parabola has its minimum, and how much lower it is."""
+    before, here, after = film[lowest - 1 : lowest + 2]
     bend = before - 2 * here + after
-    return ((before - after) / (2 * bend), (before - after) ** 2 / (8 * bend)) if bend > 0 else (0.0, 0.0)
+    return float(here - (before - after) ** 2 / (8 * bend)) if bend > 0 else float(here)
 
 
+@one_thread
 def integrate(
     motion: Motion,
     *,
@@ -238,8 +226,7 @@ def integrate(
             f"the time integration failed at {result.t[-1] / motion.duration:.3g} of the time: {result.message}"
         )
     interpolant = result.sol
-    lifts = [z[:n] - added for z in result.y.T]
-    films, pressures, heights, loads = _fields(film, motion, result.t, lifts)
+    films, pressures, heights, loads = _fields(film, motion, result.t, result.y[:n].T - added)
     return Run(
         film=film,
         motion=motion,
@@ -253,5 +240,5 @@ def integrate(
         inflow=result.y[n],
         ended_by="film_limit" if result.status == 1 else "duration",
         evaluations=result.nfev,
-        dense=lambda t: interpolant(t)[:n] - added,
+        dense=lambda times: interpolant(times)[:n].T - added,
     )

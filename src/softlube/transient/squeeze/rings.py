@@ -15,10 +15,11 @@ by ∫p dA = N, both linear.  So no algebraic equation is left for the time inte
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.grid import RIM, PolarGrid
 from softlube.discretization.radial import radial_operators
@@ -119,7 +120,8 @@ class SqueezeFilm:
             """A matrix of the plane for what does not depend on θ."""
             return matrix[::angles].reshape(matrix.shape[0] // angles, -1, angles).sum(axis=2)
 
-        divergence = rings(operator.divergence[0].toarray())
+        differences, radial = operator.differences, slice((n + 2) * angles)
+        divergence = rings(differences.divergence[:, radial].toarray())
         cell = grid.r[:n] * grid.dr_dxi(grid.r[:n])
         # What the balance of the innermost cell leaves out, so that the fluxes telescope, its volume leaves out too.
         cell[0] *= 11 / 12
@@ -135,10 +137,10 @@ class SqueezeFilm:
             rim_by_drive=compliance[n:] @ by_drive + height_by_drive,
             compliance=kernels[0],
             load_weights=weights,
-            slope=rings(operator.slope[0].toarray()),
-            midpoint=rings(operator.midpoint[0].toarray()),
+            slope=rings(differences.slope[radial].toarray()),
+            midpoint=rings(differences.midpoint[radial].toarray()),
             divergence=divergence,
-            conductance=operator.conductance[0].reshape(-1, angles)[:, 0] / spin,
+            conductance=operator.conductance[radial].reshape(-1, angles)[:, 0] / spin,
             cell=cell,
             liquid=liquid or NewtonianLaw(),
         )
@@ -148,46 +150,70 @@ class SqueezeFilm:
         """Number of unknowns."""
         return self.grid.n_r
 
-    def pressure(self, lift: Array, drive: float) -> Array:
-        """Pressure on all N rings under a lift on n rings and what is prescribed."""
-        return self.pressure_by_lift @ lift + self.pressure_by_drive * drive
+    def pressure(self, lift: Array, drive: ArrayLike) -> Array:
+        """Pressure on all N rings, (..., N), under lifts on n rings, (..., n), and what is prescribed with each."""
+        return lift @ self.pressure_by_lift.T + np.multiply.outer(drive, self.pressure_by_drive)
 
-    def height(self, lift: Array, drive: float) -> float:
+    def height(self, lift: Array, drive: ArrayLike) -> Array:
         """Height h₀ of the sphere's lowest point over the undeformed surface."""
-        return float(self.height_by_lift @ lift + self.height_by_drive * drive)
+        return lift @ self.height_by_lift + np.multiply(drive, self.height_by_drive)
 
     def load(self, pressure: Array) -> float:
         """∫p dA over the whole plane."""
         return float(self.load_weights @ pressure)
 
-    def whole_film(self, lift: Array, drive: float) -> Array:
-        """Film on all N rings."""
-        return self.parabola + np.append(lift, self.rim_by_lift @ lift + self.rim_by_drive * drive)
+    def whole_film(self, lift: Array, drive: ArrayLike) -> Array:
+        """Film on all N rings, (..., N)."""
+        rim = lift @ self.rim_by_lift.T + np.multiply.outer(drive, self.rim_by_drive)
+        return self.parabola + np.concatenate([lift, rim], axis=-1)
 
     def lift_under(self, pressure: Array, height: float) -> Array:
         """Lift on the n rings under a pressure on all N, Eq. (6c)."""
         return height + (self.compliance @ pressure)[: self.n]
 
+    @cached_property
+    def _on_faces(self) -> tuple[Array, Array, Array, Array]:
+        """Film and slope of the pressure on the faces by the lift, (faces, n), and by the drive, (faces,)."""
+        film_by_lift = self.midpoint[:, : self.n] + self.midpoint[:, self.n :] @ self.rim_by_lift
+        film_by_drive = self.midpoint[:, self.n :] @ self.rim_by_drive
+        return film_by_lift, film_by_drive, self.slope @ self.pressure_by_lift, self.slope @ self.pressure_by_drive
+
+    @cached_property
+    def _parabola_on_faces(self) -> Array:
+        return self.midpoint @ self.parabola
+
+    def _films_and_slopes(self, lift: Array, drive: float) -> tuple[Array, Array]:
+        film_by_lift, film_by_drive, slope_by_lift, slope_by_drive = self._on_faces
+        film = self._parabola_on_faces + film_by_lift @ lift + drive * film_by_drive
+        return film, slope_by_lift @ lift + drive * slope_by_drive
+
+    def _fluidity(self, lift: Array, drive: float) -> tuple[Array, Array]:
+        """Fluidity on the faces, and its change with the pressure there."""
+        if isinstance(self.liquid, NewtonianLaw):
+            return np.ones(1), np.zeros(1)
+        return self.liquid.fluidity(self.midpoint @ self.pressure(lift, drive))
+
     def flux(self, lift: Array, drive: float) -> Array:
         """Flux r φu³ ∂p/∂r on the faces: the inflow, over 2π."""
-        film_face = self.midpoint @ self.whole_film(lift, drive)
-        pressure = self.pressure(lift, drive)
-        fluidity, _ = self.liquid.fluidity(self.midpoint @ pressure)
-        return self.conductance * fluidity * film_face**3 * (self.slope @ pressure)
+        film, slope = self._films_and_slopes(lift, drive)
+        return self.conductance * self._fluidity(lift, drive)[0] * film**3 * slope
 
     def flux_derivative(self, lift: Array, drive: float) -> Array:
         """∂flux/∂u, exact, shape (faces, n)."""
-        film_face = self.midpoint @ self.whole_film(lift, drive)
-        pressure = self.pressure(lift, drive)
-        fluidity, thickening = self.liquid.fluidity(self.midpoint @ pressure)
-        slope, mobility = self.slope @ pressure, self.conductance * film_face**3
-        n = self.n
-        film_part = self.midpoint[:, :n] + self.midpoint[:, n:] @ self.rim_by_lift
-        by_pressure = (mobility * fluidity)[:, None] * self.slope
+        film, slope = self._films_and_slopes(lift, drive)
+        fluidity, thickening = self._fluidity(lift, drive)
+        film_by_lift, _, slope_by_lift, _ = self._on_faces
+        mobility = self.conductance * film**3
+        by_lift = (3 * self.conductance * fluidity * film**2 * slope)[:, None] * film_by_lift
+        by_lift += (mobility * fluidity)[:, None] * slope_by_lift
         if np.any(thickening):
-            by_pressure = by_pressure + (mobility * thickening * slope)[:, None] * self.midpoint
-        by_film = (3 * self.conductance * fluidity * film_face**2 * slope)[:, None] * film_part
-        return by_pressure @ self.pressure_by_lift + by_film
+            by_lift += (mobility * thickening * slope)[:, None] * self._pressure_on_faces
+        return by_lift
+
+    @cached_property
+    def _pressure_on_faces(self) -> Array:
+        """Pressure on the faces by the lift."""
+        return self.midpoint @ self.pressure_by_lift
 
     def rate(self, flux: Array) -> Array:
         """∂u/∂t on the n rings from the fluxes (or its derivatives, from theirs)."""

@@ -15,10 +15,10 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import RegularGridInterpolator
 
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
+from softlube.discretization.splines import bilinear
 from softlube.discretization.system import ContactSystem
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
@@ -167,8 +167,7 @@ def carried(fields: Fields, grid: PolarGrid, shift: float) -> Array:
     """Pressures on the cells of a grid whose centre lies a shift downstream of the fields'; linear in between."""
     chart = fields.chart
     nodes = chart.xi_of(fields.r), chart.s_of(fields.theta)
-    known = RegularGridInterpolator(nodes, fields.pressure, bounds_error=False, fill_value=None)  # by round-off at most
     r, theta = np.meshgrid(grid.r[: grid.n_r], grid.theta, indexing="ij")
     x, y = r * np.cos(theta) - shift, np.abs(r * np.sin(theta))
     xi = chart.xi_of(np.clip(np.hypot(x, y), fields.r[0], fields.r[-1]))
-    return known(np.stack([xi, chart.s_of(np.arctan2(y, x))], axis=-1))
+    return bilinear(*nodes, fields.pressure, xi, chart.s_of(np.arctan2(y, x)))
