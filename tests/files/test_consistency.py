@@ -70,6 +70,13 @@ def test_an_attribute_that_was_changed(data, name, value, message):
         load(netcdf(data.assign_attrs({name: value})))
 
 
+def test_levels_without_a_quantity(data):
+    levels = json.loads(data.attrs["levels"])
+    del levels[-1]["values"]["friction_contact"]
+    with pytest.raises(softlube.InputError, match="levels: expected friction_contact among the values"):
+        load(netcdf(data.assign_attrs(levels=json.dumps(levels))))
+
+
 def test_the_input_of_another_problem(data):
     inputs = json.loads(data.attrs["inputs_SI"]) | {"load": 0.2}
     with pytest.raises(softlube.InputError, match="inputs_SI: is the input of another problem"):

@@ -104,6 +104,8 @@ def _check_quantities(solution: Solution) -> None:
     on_grid, unit = solution.levels[-1].values, _other_unit(solution)
     measured = _measured(fields, problem)
     for name, value in measured.items():
+        if name not in on_grid:
+            raise Damaged(f"levels: expected {name} among the values of the finest")
         if not abs(on_grid[name] - value) <= ROUND_OFF * STEADY[name].size(measured):
             raise Damaged(
                 f"{name}: the fields say {value:.6g}, the finest level {on_grid[name]:.6g}: that or the pressure was changed"
