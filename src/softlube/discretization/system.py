@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,10 +35,22 @@ LEAST_LIFT, LIFTS = 0.25, 20
 """Least film of the first guess over the film at its centre, and largest number of attempts to reach it."""
 
 
+class _Operators(NamedTuple):
+    """What a system needs of its grid: the operators, and the displacement by the far field on the rim and beyond."""
+
+    elastic: ElasticOperator
+    reynolds: ReynoldsOperator
+    balance: FilmBalance
+    far_displacement: Array
+
+
 @lru_cache(maxsize=8)
-def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> tuple[ElasticOperator, ReynoldsOperator, FilmBalance]:
+def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> _Operators:
     elastic, reynolds = elastic_operator(grid, cavitation, substrate.remainder), ReynoldsOperator.on(grid)
-    return elastic, reynolds, FilmBalance(reynolds.nearest, local_stiffness(grid, elastic))
+    rim = rim_slice(grid)
+    displaced = [elastic.deflection(np.concatenate([np.zeros(grid.n_unknown), far[rim]])) for far in elastic.far_pressure]
+    balance = FilmBalance(reynolds.nearest, local_stiffness(grid, elastic))
+    return _Operators(elastic, reynolds, balance, elastic.far_displacement + np.stack(displaced))
 
 
 def forget_operators() -> None:
@@ -69,7 +82,7 @@ class ContactSystem:
         self.prescribed = HERTZ_LOAD * scale**-1.5 if problem.load_controlled else problem.height / scale
         # Lengths scale with the root of the unit, and so do pressures.
         self.substrate, self.liquid = problem.substrate.in_units(scale), problem.liquid.in_units(scale)
-        self.elastic, self.reynolds, self.balance = _operators(grid, problem.cavitation, self.substrate)
+        self.elastic, self.reynolds, self.balance, displaced = _operators(grid, problem.cavitation, self.substrate)
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.self_deflection = np.zeros(grid.shape[0] * grid.shape[1])
         self.self_deflection[:n] = 1 / np.abs(self.balance.stiffness.diagonal())
@@ -79,9 +92,7 @@ class ContactSystem:
         rim = rim_slice(grid)
         far = self.speed * self.elastic.far_pressure[:, rim]
         self.rim_pressure = far
-        self.film_offset = self.speed * self.elastic.far_displacement
-        for part in (0, 1):
-            self.film_offset[part] += self.elastic.deflection(np.concatenate([np.zeros(n), far[part]]))
+        self.film_offset = self.speed * displaced
         self.film_offset[0] += np.repeat(grid.r**2 / 2, grid.shape[1])
         self.film_offset[1] += 1
         self.load_offset = self.speed * self.elastic.far_load + far @ self.elastic.load_weights[rim]

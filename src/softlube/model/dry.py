@@ -72,10 +72,16 @@ class DryContact:
     def smooth_part(self, y: ArrayLike) -> Array:
         """Pressure at r = ya, 0 ≤ y ≤ 1, over √(1 − y²)."""
         r = self.radius * np.asarray(y, dtype=float)[..., None]
-        x, weight = leggauss(48)
+        x, weight = _gauss(48)
         # s² = r² + τ² takes the root away; φ′(s)/s is smooth.
         s = np.sqrt(r**2 + (self.radius**2 - r**2) * ((x + 1) / 2) ** 2)
         return -self.radius / 2 * np.sum(self.slope(s) / np.maximum(s, 1e-12) * weight, axis=-1)
+
+
+@lru_cache(maxsize=1)
+def _gauss(points: int) -> tuple[Array, Array]:
+    """Places and weights of Gauss's quadrature on [−1, 1], kept because every first guess wants them."""
+    return leggauss(points)
 
 
 def _of_half_space(s: Array) -> Array:
