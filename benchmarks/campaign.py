@@ -64,7 +64,8 @@ KINDS = {
     "table": Kind("campaign_readers", "table", 1500, 20),
     "history": Kind("campaign_readers", "history", 1000, 20),
     "plan": Kind("campaign_readers", "plan", 1500, 20),
-    "netcdf": Kind("campaign_readers", "netcdf_file", 1700, 20),
+    "netcdf": Kind("campaign_readers", "netcdf_file", 1200, 20),
+    "store": Kind("campaign_readers", "store", 500, 60),
     "command": Kind("campaign_readers", "command", 300, 60),
     "contacts": Kind("campaign_contacts", "contact", 2000, 300),
 }

@@ -1,4 +1,4 @@
-"""Malformed input for every reader: texts with units, tables, histories, plans, NetCDF files, and whole commands.
+"""Malformed input for every reader: texts with units, tables, histories, plans, NetCDF files, stores, and whole commands.
 
 A reader takes an input or refuses it in one printable line of at most 300 characters.  What is taken is compared with what
 the input was made of.
@@ -10,13 +10,16 @@ import io
 import math
 import os
 import re
+import sqlite3
 import subprocess
 import sys
 import time
 from collections.abc import Callable
+from contextlib import closing
 from functools import cache
 from pathlib import Path
 from random import Random
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import h5py
@@ -323,6 +326,7 @@ def plan(seed: int, number: int, folder: Path) -> Verdict:
 def prepare() -> None:
     """Make the sound files, before the clock runs."""
     images()
+    swept()
 
 
 @cache
@@ -428,6 +432,68 @@ def netcdf_file(seed: int, number: int, folder: Path) -> Verdict:
             if not np.allclose(one, two, rtol=1e-2, atol=1e-3 * np.max(np.abs(two))):
                 return f"{name}: {each} was changed by {np.max(np.abs(one - two)):.3g} of {np.max(np.abs(two)):.3g}"
         return None
+
+    return tried(read)
+
+
+# --- stores -----------------------------------------------------------------------------------------------------------
+
+BETAS = (1.0, 30.0, 1000.0)
+
+
+@cache
+def swept() -> tuple[bytes, str]:
+    """A finished store, and the table of its sweep."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "a.sweep"
+        table = softlube.sweep({"beta": list(BETAS)}, accuracy=0.1, workers=1, store=path).table
+        return path.read_bytes(), table.to_csv(index=False)
+
+
+SQL = (
+    "DROP TABLE outcomes",
+    "DROP TABLE claims",
+    "DROP TABLE log",
+    "PRAGMA user_version = 7",
+    "PRAGMA application_id = 7",
+    "DELETE FROM outcomes",
+    "UPDATE outcomes SET quantities = '{'",
+    "UPDATE outcomes SET quantities = replace(quantities, '1', '2')",
+    "UPDATE outcomes SET facts = replace(facts, '1', '2')",
+    "UPDATE outcomes SET quantities = '[1]'",
+    "UPDATE outcomes SET quantities = x'ff00'",
+    "UPDATE outcomes SET facts = '{\"beta\": 1e999}'",
+    "UPDATE outcomes SET reason = 'too light'",
+    "UPDATE outcomes SET status = 'failed'",
+    "UPDATE outcomes SET key = lower(hex(randomblob(32)))",
+    "ALTER TABLE outcomes DROP COLUMN finished",
+    "INSERT INTO claims SELECT key, 'x', 'elsewhere', 1, 1e300 FROM outcomes",
+)
+"""What may have happened to a store through SQLite itself."""
+
+
+def store(seed: int, number: int, folder: Path) -> Verdict:
+    """A sweep that is taken up again with a damaged store: its table is what it was, or the store is refused unchanged."""
+    rng = Random(f"{seed} store {number}")
+    image, expected = swept()
+    path = folder / "a.sweep"
+    if rng.random() < 0.5:
+        path.write_bytes(damaged(rng, image))
+    else:
+        path.write_bytes(image)
+        with closing(sqlite3.connect(path)) as connection:
+            connection.execute(rng.choice(SQL))
+            connection.commit()
+    before = path.read_bytes()
+
+    def read() -> str | None:
+        try:
+            table = softlube.sweep({"beta": list(BETAS)}, accuracy=0.1, workers=1, store=path).table
+        except InputError:
+            if path.read_bytes() != before:
+                return "the refused store was changed"
+            raise
+        return None if table.to_csv(index=False) == expected else "the table is another one"
 
     return tried(read)
 

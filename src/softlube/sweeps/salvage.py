@@ -18,7 +18,7 @@ from softlube.sweeps.store import Store, outcome_of
 DEEPEST = 3
 """Digits of the keys up to which a damaged range is divided: 4096 ranges at most."""
 
-_COLUMNS = "key, problem, accuracy, solver, status, reason, quantities, facts, fields, finished"
+_COLUMNS = "key, problem, accuracy, solver, status, reason, quantities, facts, digest, fields, finished"
 
 
 def salvage(store: str | os.PathLike[str], new: str | os.PathLike[str]) -> int:
@@ -78,11 +78,11 @@ def _rows(damaged: sqlite3.Connection, prefix: str = "") -> Iterator[tuple[Any, 
 
 
 def _is_sound(row: tuple[Any, ...]) -> bool:
-    key, problem, accuracy, solver, status, reason, quantities, facts, fields, _ = row
+    key, problem, accuracy, solver, *told, _ = row
     try:
-        outcome = outcome_of((reason, quantities, facts, fields))
+        outcome_of((key, *told))
         content = {"problem": json.loads(problem), "accuracy": accuracy, "solver": solver}
     except (ValueError, TypeError, sqlite3.DatabaseError):
         return False
     digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-    return digest == key and status == ("failed" if outcome.failed else "done")
+    return digest == key

@@ -8,6 +8,7 @@ store does not solve it, too; the claims of the dead lapse.
 from __future__ import annotations
 
 import errno
+import hashlib
 import json
 import os
 import socket
@@ -24,7 +25,7 @@ from softlube.sweeps.tasks import Outcome, Task
 
 APPLICATION = 0x534C5542
 """Marks the file as ours (PRAGMA application_id): "SLUB"."""
-LAYOUT = 2
+LAYOUT = 3
 LEASE = 30.0
 """Seconds after which a claim that is not renewed lapses."""
 PATIENCE = 60.0
@@ -40,6 +41,7 @@ CREATE TABLE IF NOT EXISTS outcomes (
     reason TEXT NOT NULL,
     quantities TEXT NOT NULL,
     facts TEXT NOT NULL,
+    digest TEXT NOT NULL,
     fields BLOB,
     finished TEXT NOT NULL
 ) WITHOUT ROWID;
@@ -52,6 +54,8 @@ CREATE TABLE IF NOT EXISTS claims (
 ) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS log (key TEXT NOT NULL, status TEXT NOT NULL, finished TEXT NOT NULL);
 """
+OUTCOME = "key, status, reason, quantities, facts, digest"
+"""Columns that make an outcome, but for the fields; see `outcome_of`."""
 
 
 class Store:
@@ -77,6 +81,8 @@ class Store:
                 self._connection = sqlite3.connect(self.path, timeout=PATIENCE, isolation_level=None)
             except sqlite3.Error as error:
                 raise InputError(f"store: {str(path)!r} cannot be opened ({error})") from None
+            # Text that is none any more is found by its digest; to SQLite's driver it would look like a fault of the system.
+            self._connection.text_factory = lambda text: text.decode("utf-8", "surrogateescape")
             try:
                 self._prepare()
                 return
@@ -103,7 +109,7 @@ class Store:
         if tables:
             if application != APPLICATION:
                 raise InputError(f"store: {str(self.path)!r} is a database of something else")
-            if layout not in (1, LAYOUT):
+            if layout != LAYOUT:
                 raise InputError(f"store: {str(self.path)!r} is of another release of softlube; expected a file of its own")
             missing = {"outcomes", "claims", "log"} - tables
             if missing:
@@ -111,8 +117,6 @@ class Store:
             (found,) = connection.execute("PRAGMA quick_check(1)").fetchone()
             if found != "ok":
                 raise sqlite3.DatabaseError(found.splitlines()[-1])
-        if tables and layout == 1:
-            self._take_over()
         connection.execute("PRAGMA journal_mode = WAL")
         connection.execute("PRAGMA synchronous = FULL")
         if not tables:
@@ -144,20 +148,6 @@ class Store:
                     self._connection.execute("ROLLBACK")
                 raise
 
-    def _take_over(self) -> None:
-        """Bring a store of the first layout, which had steady cases only and their β in columns, into the present one."""
-        self._connection.create_function("facts", 3, _first_facts)
-        with self._transaction() as connection:
-            if connection.execute("PRAGMA user_version").fetchone()[0] == 1:  # not by another process meanwhile
-                connection.execute("ALTER TABLE outcomes RENAME TO first_outcomes")
-                connection.execute(_TABLES.split(";")[0])
-                connection.execute(
-                    "INSERT INTO outcomes SELECT key, problem, accuracy, solver, status, reason, quantities, "
-                    "facts(status, beta, beta_load), fields, finished FROM first_outcomes"
-                )
-                connection.execute("DROP TABLE first_outcomes")
-                connection.execute(f"PRAGMA user_version = {LAYOUT}")
-
     def close(self) -> None:
         """Give up own claims and close the file."""
         with suppress(sqlite3.Error):  # they lapse with this process
@@ -178,8 +168,7 @@ class Store:
         with self._said():
             for key in keys:
                 row = self._connection.execute(
-                    f"SELECT reason, quantities, facts, {'fields' if fields else 'NULL'} FROM outcomes WHERE key = ?",
-                    (key,),
+                    f"SELECT {OUTCOME}, {'fields' if fields else 'NULL'} FROM outcomes WHERE key = ?", (key,)
                 ).fetchone()
                 if row is not None:
                     found[key] = outcome_of(row)
@@ -197,12 +186,12 @@ class Store:
         with self._said():
             for key in dict.fromkeys(keys):
                 row = self._connection.execute(
-                    "SELECT reason, quantities, facts, NULL, status, fields IS NOT NULL FROM outcomes WHERE key = ?", (key,)
+                    f"SELECT {OUTCOME}, NULL, fields IS NOT NULL FROM outcomes WHERE key = ?", (key,)
                 ).fetchone()
                 if row is None:
                     continue
-                outcome_of(row[:4])
-                if _is_settled(row[4], row[5], fields, retry_failed):
+                outcome_of(row[:-1])
+                if _is_settled(row[1], row[-1], fields, retry_failed):
                     settled.add(key)
         return settled
 
@@ -210,22 +199,13 @@ class Store:
         """Keep an outcome and end the claim, in one transaction.  A failure never takes the place of a solution."""
         status = "failed" if outcome.failed else "done"
         finished = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())
-        values = (
-            key,
-            json.dumps(task.to_plain()),
-            accuracy,
-            solver,
-            status,
-            outcome.reason,
-            json.dumps(dict(outcome.quantities)),
-            json.dumps(dict(outcome.facts)),
-            outcome.fields,
-            finished,
-        )
+        told = outcome.reason, json.dumps(dict(outcome.quantities)), json.dumps(dict(outcome.facts))
+        digest = _digest(key, status, *told)
+        values = (key, json.dumps(task.to_plain()), accuracy, solver, status, *told, digest, outcome.fields, finished)
         with self._transaction() as connection:
             connection.execute(
-                "INSERT INTO outcomes VALUES (?,?,?,?,?,?,?,?,?,?) ON CONFLICT (key) DO UPDATE SET status = excluded.status, "
-                "reason = excluded.reason, quantities = excluded.quantities, facts = excluded.facts, "
+                "INSERT INTO outcomes VALUES (?,?,?,?,?,?,?,?,?,?,?) ON CONFLICT (key) DO UPDATE SET status = excluded.status, "
+                "reason = excluded.reason, quantities = excluded.quantities, facts = excluded.facts, digest = excluded.digest, "
                 "fields = coalesce(excluded.fields, fields), finished = excluded.finished "
                 "WHERE outcomes.status = 'failed' OR excluded.status = 'done'",
                 values,
@@ -237,7 +217,7 @@ class Store:
         """Keep rows of another store, with all the columns of `outcomes`."""
         with self._transaction() as connection:
             for row in rows:
-                connection.execute("INSERT INTO outcomes VALUES (?,?,?,?,?,?,?,?,?,?)", row)
+                connection.execute("INSERT INTO outcomes VALUES (?,?,?,?,?,?,?,?,?,?,?)", row)
                 connection.execute("INSERT INTO log VALUES (?,?,?)", (row[0], row[4], row[-1]))
 
     def count_foreign(self, solvers: Iterable[str]) -> int:
@@ -274,25 +254,32 @@ class Store:
             self._connection.execute("UPDATE claims SET renewed = ? WHERE owner = ?", (time.time(), self.owner))
 
 
-def outcome_of(row: tuple[str, str, str, bytes | None]) -> Outcome:
-    """An outcome from its reason, quantities, facts and fields as they are stored.
+def outcome_of(row: tuple[Any, ...]) -> Outcome:
+    """An outcome from the columns `OUTCOME` and its fields, as they are stored.
 
     Raises
     ------
     sqlite3.DatabaseError
-        If they are no such thing.
+        If they are no such thing, or something in them was changed.
     """
-    reason, quantities, facts, fields = row
+    *content, digest, fields = row
+    _, status, reason, quantities, facts = content
     values, known = {}, {}
     try:
         values = {name: (float(value), float(error)) for name, (value, error) in json.loads(quantities).items()}
         known = json.loads(facts)
-        sound = isinstance(reason, str) and all(isinstance(each, (int, float, str)) for each in known.values())
+        sound = all(isinstance(each, (int, float, str)) for each in known.values()) and digest == _digest(*content)
+        sound = sound and status == ("failed" if reason else "done")
     except (ValueError, TypeError, AttributeError):
         sound = False
     if not sound:
         raise sqlite3.DatabaseError("an outcome is not readable")
     return Outcome(reason, values, known, fields)
+
+
+def _digest(key: str, status: str, reason: str, quantities: str, facts: str) -> str:
+    """Of what is stored of an outcome: SQLite does not notice a changed digit.  Fields are checked when they are read."""
+    return hashlib.sha256(json.dumps([key, status, reason, quantities, facts]).encode()).hexdigest()
 
 
 def _is_settled(status: str, has_fields: bool, fields: bool, retry_failed: bool) -> bool:
@@ -302,12 +289,6 @@ def _is_settled(status: str, has_fields: bool, fields: bool, retry_failed: bool)
 def _remedy(path: Path) -> str:
     name = path.name
     return f"what is sound can be copied: softlube sweep PLAN --store {name} --salvage NEW, or sqlite3 {name} .recover"
-
-
-def _first_facts(status: str, beta: float | None, beta_load: float | None) -> str:
-    """Facts of the first layout's columns; SQLite has no nan."""
-    named = {"beta": beta, "beta_load": beta_load} if status == "done" else {}
-    return json.dumps({name: float("nan") if value is None else value for name, value in named.items()})
 
 
 def _lapsed(host: str, process: int, renewed: float) -> bool:
