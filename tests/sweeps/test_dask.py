@@ -29,7 +29,7 @@ SQUEEZE |= {"initial_height": "20 um", "duration": "10 ms"}
 )
 def test_a_cluster_gives_the_same_table(tmp_path, motion, parameters, states):
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
+        n_workers=1, threads_per_worker=2, processes=False, dashboard_address=":0", host="127.0.0.1", protocol="tcp"
     ) as cluster:
         options = {"motion": motion, "accuracy": ROUGH}
         on_cluster = softlube.sweep(parameters, **options, store=tmp_path / "store", scheduler=cluster.scheduler_address)
@@ -53,7 +53,7 @@ def test_a_lost_connection_is_no_failure_of_the_case():
     from softlube.sweeps.steady import SteadyTask
 
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0", host="127.0.0.1", protocol="tcp"
     ) as cluster:
         executor = Dask(cluster.scheduler_address, ["steady"])
         (lane,) = executor.lanes()
@@ -87,7 +87,7 @@ def test_a_task_whose_worker_goes_is_given_back_and_a_deserted_cluster_is_told(m
 
     monkeypatch.setattr(executors, "DESERTED", 0.5)
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, host="127.0.0.1", protocol="tcp"
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0", host="127.0.0.1", protocol="tcp"
     ) as cluster:
         executor = executors.Dask(cluster.scheduler_address, ["steady"])
         (lane,) = executor.lanes()
