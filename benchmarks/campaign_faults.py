@@ -58,15 +58,15 @@ HARD = [
     "--load",
     "1 N",
     "--pressure-viscosity",
-    "9/GPa",
+    "9 GPa^-1",
 ]
-DATA = "speed [mm/s],force [mN]\n" + "".join(
-    f"{speed},{0.5 * speed**0.6:.3f}\n" for speed in (0.3, 0.5, 1, 2, 3, 5, 8, 12, 20, 40)
+DATA = "load [N],speed [mm/s],friction [mN]\n" + "".join(
+    f"1,{speed},{5 * speed**0.6:.3f}\n" for speed in (0.3, 0.5, 1, 2, 3, 5, 8, 12, 20, 40)
 )
 COMMANDS = {
     "reproduce": ["reproduce", "out", "--processes", "2"],
-    "fit": ["fit", "data.csv", *HARD[:4], *HARD[6:], "--output", "fit.json"],
-    "stribeck": ["stribeck", *HARD, "--from", "1 mm/s", "--to", "1 m/s", "--output", "stribeck.csv"],
+    "fit": ["fit", "data.csv", *HARD[:4], *HARD[8:], "--output", "fit.json"],
+    "stribeck": ["stribeck", *HARD, "--slowest", "1 mm/s", "--fastest", "1 m/s", "--output", "stribeck.csv"],
     "sweep": ["sweep", "plan.toml", "--workers", "2"],
     "squeeze": ["squeeze", *BALL, "--initial-height", "100 um", "--duration", "1 s", "--accuracy", "2e-4", "--output", "o.nc"],
     "solve": ["solve", "--beta", "1e6", "--accuracy", "1e-3", "--output", "o.nc"],
