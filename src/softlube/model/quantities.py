@@ -129,7 +129,7 @@ class Definition:
         the quantity itself.  Others are named where that magnitude can vanish.
     free_boundary_error : float
         Least error times n_theta² that a grid of n_theta angular intervals leaves, because the free boundary falls between its
-        nodes; relative to `compared_with`.  Measured by benchmarks/calibrate_errors.py; see docs/verification.md.
+        nodes; relative to `compared_with`.  Measured by benchmarks/coverage.py; see docs/verification.md.
     place : str
         Words of a row that is printed below another quantity and says where that is; empty for other quantities.  A place has
         an error, which does not decide when a grid is fine enough.

@@ -15,7 +15,7 @@ LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
 angles the larger β is; the second beyond `COARSE_BETA`."""
 FREE_BOUNDARY = {name: row.free_boundary_error for name, row in STEADY.items()}
 """Least error, times n_theta², that a grid leaves because the free boundary falls between its nodes: in terms of `yardstick`.
-Measured against finer grids by benchmarks/calibrate_errors.py, like all the following; see docs/verification.md."""
+Measured against finer grids by benchmarks/coverage.py, like all the following; see docs/verification.md."""
 FREE_BOUNDARY_GAP = {
     "load_contact": 0.56,
     "height": 0.18,

@@ -22,6 +22,25 @@ if TYPE_CHECKING:
 Array = NDArray[np.floating]
 
 
+NEIGHBOURS = 1.5
+"""Factor of the time within which other times are neighbours."""
+
+
+def among_neighbours(time: Array, error: Array) -> Array:
+    """Largest error at neighbouring times: histories that are compared cross now and then, which makes neither of them exact.
+
+    Parameters
+    ----------
+    time : ndarray, shape (k,)
+        Increasing.
+    error : ndarray, shape (k,)
+        Differences of histories.
+    """
+    first = np.searchsorted(time, time / NEIGHBOURS)
+    last = np.searchsorted(time, time * NEIGHBOURS, side="right")
+    return np.array([error[i:j].max() for i, j in zip(first, last, strict=True)])
+
+
 class Integration(Protocol):
     """One integration in time on one grid, normalised."""
 

@@ -10,12 +10,11 @@ from softlube.transient.motion import constant_load
 from softlube.transient.sliding.result import HISTORIES, LADDER, check_accuracy, follow_sliding
 
 
-def test_errors_tell_what_shorter_steps_change(slid):
-    """Within a factor of two: the two runs that are compared have long steps both at an accuracy of 0.1."""
+def test_errors_cover_what_shorter_steps_and_finer_grids_change(slid):
     finer = follow_sliding(slid.motion, beta=100.0, accuracy=0.01)
     for name in ("film_center", "film_min", "friction_domain"):
         true = np.abs(slid.histories[name] - PchipInterpolator(finer.time, finer.histories[name])(slid.time))
-        assert np.mean(true <= 2 * slid.errors[name]) > 0.9, name
+        assert np.mean(true <= slid.errors[name]) >= 0.95, name
         assert np.max(true / slid.histories[name]) < slid.accuracy, name
 
 
@@ -40,7 +39,7 @@ def test_progress_is_told():
 
 
 def test_not_converged_says_so(monkeypatch):
-    monkeypatch.setattr("softlube.transient.sliding.result.LADDER", (8, 9))
+    monkeypatch.setattr("softlube.transient.sliding.result.LADDER", (9, 11))
     with pytest.raises(NotConvergedError, match=r"known to .* only, not to 1.0e-03"):
         follow_sliding(constant_load(HERTZ_LOAD, 1.0, 5.0), beta=100.0, accuracy=1e-3)
 
