@@ -104,3 +104,44 @@ def test_a_command_that_does_not_end_is_ended():
         "stopping.stoppable(hang)\n"
     )
     assert subprocess.run([sys.executable, "-c", script], timeout=30).returncode == 143
+
+
+def run(code):
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60)
+
+
+def test_a_signal_in_a_finaliser_is_told_again():
+    """There Python swallows exceptions, and would go on."""
+    ended = run(
+        """
+import os, signal, sys, time
+from softlube.cli.stopping import stoppable
+
+class Finalised:
+    def __del__(self):
+        os.kill(os.getpid(), signal.SIGTERM)
+        time.sleep(0.01)
+
+def command():
+    one = Finalised()
+    del one
+    time.sleep(30)
+    return 0
+
+sys.exit(stoppable(command))
+"""
+    )
+    assert (ended.returncode, ended.stdout, ended.stderr) == (143, "", "softlube: terminated\n")
+
+
+def test_a_signal_after_the_work_does_not_spoil_the_end():
+    ended = run(
+        """
+import atexit, os, signal, sys
+from softlube.cli.stopping import stoppable
+
+atexit.register(os.kill, os.getpid(), signal.SIGTERM)
+sys.exit(stoppable(lambda: 0))
+"""
+    )
+    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "", "")

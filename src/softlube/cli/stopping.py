@@ -9,6 +9,8 @@ import threading
 from collections.abc import Callable
 from types import FrameType
 
+AGAIN = 0.02
+"""Seconds after which a signal is told again that came while Python could not raise an exception, in a finaliser."""
 GRACE = 10.0
 """Seconds after which a command that has not ended by itself is ended; its workers end with it."""
 
@@ -55,19 +57,34 @@ def stoppable(command: Callable[[], int]) -> int:
         tell(known[number])
         os._exit(128 + number)
 
+    def later(seconds: float, function: Callable[[int], object], number: int) -> None:
+        timer = threading.Timer(seconds, function, (number,))
+        timer.daemon = True
+        timer.start()
+
     def stop(number: int, frame: FrameType | None) -> None:
         deaf()
         # Something may swallow the exception, or hang before its end.
-        fallback = threading.Timer(GRACE, give_up, (number,))
-        fallback.daemon = True
-        fallback.start()
+        later(GRACE, give_up, number)
         raise Stopped(known[number])
 
+    def unraisable(told: sys.UnraisableHookArgs) -> None:
+        if not isinstance(told.exc_value, Stopped):
+            return sys.__unraisablehook__(told)
+        number = getattr(signal, told.exc_value.name)
+        signal.signal(number, stop)
+        later(AGAIN, signal.raise_signal, number)
+        return None
+
+    sys.unraisablehook = unraisable
     try:
         for number in heard:
             signal.signal(number, stop)
         code = command()
-        deaf()  # the work is done, and the interpreter takes a moment to end
+        # The work is done, and the interpreter takes a moment to end, in which it hears signals by itself.
+        deaf()
+        if hasattr(signal, "pthread_sigmask"):
+            signal.pthread_sigmask(signal.SIG_BLOCK, heard)
     except Stopped as stopped:
         tell(stopped.name)
         return 128 + getattr(signal, stopped.name)
