@@ -12,7 +12,7 @@ from softlube.model.problem import Problem
 from softlube.model.substrates import LayerKernel
 from softlube.solvers.continuation import settle
 from softlube.solvers.newton import newton
-from softlube.steady.level import COARSE_TOLERANCE, FIRST_TIME, LONGEST_TIME, SHORTEST_TIME, solve_level
+from softlube.steady.level import FIRST_TIME, LONGEST_TIME, SHORTEST_TIME, TOLERANCE, solve_level
 from softlube.steady.mesh import grid_for
 from softlube.steady.regime import Regime
 
@@ -23,7 +23,7 @@ def solved(problem, n_theta=18):
     system = ContactSystem(problem, grid, Regime.of(problem).unit)
     level = solve_level(Regime.of(problem), grid)
     result = newton(system, level.x, tolerance=1e-12)
-    assert np.max(np.abs(system.film_change(result.x - level.x)) / system.film(level.x)) < COARSE_TOLERANCE
+    assert np.max(np.abs(system.film_change(result.x - level.x)) / system.film(level.x)) < TOLERANCE
     return system, result.x
 
 

@@ -23,10 +23,8 @@ from softlube.steady.regime import Regime
 
 Array = NDArray[np.floating]
 
-COARSE_ANGLES = 18
-"""Angular intervals up to which a grid is solved to the coarse tolerance: it mostly starts the next one."""
-COARSE_TOLERANCE, FINE_TOLERANCE = 1e-4, 1e-6
-"""Tolerance of Newton's method on grids up to `COARSE_ANGLES`, and on finer grids, which give numbers."""
+TOLERANCE = 1e-6
+"""Of Newton's method on every grid, the coarse ones too: results may be taken from them, and one more step there is cheap."""
 STEPS, STEEP_STEPS = 40, 90
 """Steps of Newton's method at most on one grid, without and with a spike that must first move to its nodes."""
 HELD_BETA = 1e3
@@ -165,7 +163,7 @@ def _unknowns(regime: Regime, grid: PolarGrid, start: Array | None, history: lis
     result = newton(
         system,
         _first_guess(regime, system, history) if start is None else start,
-        tolerance=COARSE_TOLERANCE if grid.n_theta <= COARSE_ANGLES else FINE_TOLERANCE,
+        tolerance=TOLERANCE,
         max_iterations=STEEP_STEPS if regime.thick else STEPS,
     )
     history += result.history
