@@ -126,6 +126,7 @@ def test_load_of_a_disc():
     centred = fields(np.exp(-2 * (X**2 + Y**2)), np.ones_like(X))
     assert quantities.load_within(centred, 1.0) == pytest.approx(np.pi / 2 * (1 - np.exp(-2)), rel=1e-5)
     assert quantities.load_within(at, 10.0) == pytest.approx(np.pi / 2, rel=1e-5)
+    assert isinstance(quantities.load_within(at, 10.0), float)
 
 
 def test_hertz_load_within_the_contact():

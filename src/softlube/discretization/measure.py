@@ -118,7 +118,7 @@ def integrate(fields: Fields, integrand: Callable[[Places], Array], cutoff: floa
     cutoff : float
         Radius, at most that of the fields' outermost node.
     """
-    return integrals(fields, integrand, (cutoff,))[..., 0]
+    return integrals(fields, integrand, (cutoff,))[..., 0][()]  # a number, not an array without axes
 
 
 def integrals(fields: Fields, integrand: Callable[[Places], Array], cutoffs: tuple[float, ...]) -> Array:
