@@ -54,7 +54,7 @@ class Band:
     Examples
     --------
     >>> band = Band(np.array([0, 0, 1, 1, 1, 2, 2]), np.array([0, 1, 0, 1, 2, 1, 2]))
-    >>> band.factors(np.array([2.0, 1, 1, 3, 1, 1, 4])).solve(np.array([4.0, 10.0, 14.0]))
+    >>> band.factors(np.array([2.0, 1, 1, 3, 1, 1, 4])).solve(np.array([4.0, 10.0, 14.0])).round(6)
     array([1., 2., 3.])
     """
 

@@ -267,12 +267,11 @@ def march(
 
 def _failure(beta: float, history: list[Sweeps]) -> str:
     sweeps = sum(run.count for run in history)
-    tail = "; ".join(str(run) for run in history[-4:])
     reached = [run.beta for run in history if run.outcome == "converged"]
     restarts = sum(run.outcome != "converged" for run in history[:-1])
     done = f"the march reached beta = {max(reached):.4g}" if reached else "no beta converged"
     return (
         f"the paper's relaxation did not converge at beta = {beta:.4g}: {done} after {sweeps} sweeps and "
-        f"{restarts} restarts. Last runs: {tail}. The method is known to work for 10 <= beta <= 1e4 on about 50 x 30 nodes; "
+        f"{restarts} restarts. Last run: {history[-1]}. It is known to work for 10 <= beta <= 1e4 on about 50 x 30 nodes; "
         "the default method reaches further."
     )

@@ -209,18 +209,19 @@ def integrate(
     above_limit.terminal = True  # type: ignore[attr-defined]
     least = np.full(n + 1, 1e-5 * tolerance * grid.edge**2)
     least[n] = 0.1 * tolerance * float(to_volume @ (first + parabola))
-    result = solve_ivp(
-        rate,
-        (0.0, motion.duration),
-        np.append(first + added, 0.0),
-        method="BDF",
-        jac=jacobian,
-        rtol=tolerance,
-        atol=least,
-        max_step=motion.longest_step,
-        events=above_limit,
-        dense_output=True,
-    )
+    with np.errstate(over="ignore", invalid="ignore"):  # BDF computes with rows that it has not filled yet
+        result = solve_ivp(
+            rate,
+            (0.0, motion.duration),
+            np.append(first + added, 0.0),
+            method="BDF",
+            jac=jacobian,
+            rtol=tolerance,
+            atol=least,
+            max_step=motion.longest_step,
+            events=above_limit,
+            dense_output=True,
+        )
     if not result.success or result.sol is None:
         raise NotConvergedError(
             f"the time integration failed at {result.t[-1] / motion.duration:.3g} of the time: {result.message}"
