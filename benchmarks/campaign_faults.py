@@ -73,6 +73,12 @@ COMMANDS = {
 }
 
 
+def _hear() -> None:
+    """Signals that the campaign ignores, under nohup or behind a shell's &, end the commands all the same."""
+    for kind in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(kind, signal.SIG_DFL)
+
+
 @dataclass
 class Tally:
     """What came of the trials of one kind of fault."""
@@ -121,7 +127,12 @@ class Command:
         self.said = notes / f"said-{self.mark}"
         with open(self.said, "wb") as stream:
             self.process = subprocess.Popen(
-                [sys.executable, "-c", code], cwd=folder, env=environment, stdout=subprocess.DEVNULL, stderr=stream
+                [sys.executable, "-c", code],
+                cwd=folder,
+                env=environment,
+                stdout=subprocess.DEVNULL,
+                stderr=stream,
+                preexec_fn=_hear,
             )
 
     def wait(self, seconds: float = HANG) -> int | None:

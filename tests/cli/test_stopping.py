@@ -22,6 +22,12 @@ COMMANDS = {
 }
 
 
+def hear():
+    """Signals that this process ignores, under nohup or behind a shell's &, end the command all the same."""
+    for kind in ("SIGINT", "SIGTERM", "SIGHUP"):
+        signal.signal(getattr(signal, kind), signal.SIG_DFL)
+
+
 def start(folder, command, mark):
     (folder / "plan.toml").write_text(PLAN)
     environment = os.environ | {MARK: mark, "SOFTLUBE_CACHE": str(folder / "cache")}
@@ -32,6 +38,7 @@ def start(folder, command, mark):
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,
+        preexec_fn=hear,
     )
 
 
@@ -107,7 +114,8 @@ def test_a_command_that_does_not_end_is_ended():
 
 
 def run(code):
-    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60)
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60, preexec_fn=hear)
 
 
 def test_a_signal_in_a_finaliser_is_told_again():
