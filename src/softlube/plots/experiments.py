@@ -129,7 +129,8 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
                 (film, "-", 1e9 * rows["film_center [m]"]),
                 (film, "--", 1e9 * rows["film_min [m]"]),
             ):
-                axes.plot(rows[column], values, style, color="0.75", lw=1.2)
+                # Up to the first full film and no further: it would show through the dashes.
+                axes.plot(rows[column], values.where(~full | ~full.shift(fill_value=True)), style, color="0.75", lw=1.2)
                 axes.plot(rows[column], np.where(full, values, np.nan), style, color=colour, lw=1.2, label=name)
             if "lambda_ratio" in rows and not number:
                 height = float((rows["film_min [m]"] / rows["lambda_ratio"]).dropna().iloc[0])
