@@ -122,15 +122,17 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
         friction, film = figure.subplots(1, 2)
         for number, (load, rows) in enumerate(table.groupby("load [N]", sort=False)):
             colour = COLOURS[number % len(COLOURS)]
-            full = rows["lambda_ratio"] >= FULL_FILM if "lambda_ratio" in rows else np.isfinite(rows[column])
+            full = np.asarray(rows["lambda_ratio"] >= FULL_FILM if "lambda_ratio" in rows else np.isfinite(rows[column]))
+            grey = ~np.logical_and(
+                full, np.append(True, full[:-1])
+            )  # up to the first full film: more would show through dashes
             name = f"{1e3 * float(str(load)):.4g} mN"
             for axes, style, values in (
                 (friction, "-", np.abs(rows["friction_coefficient"])),
                 (film, "-", 1e9 * rows["film_center [m]"]),
                 (film, "--", 1e9 * rows["film_min [m]"]),
             ):
-                # Up to the first full film and no further: it would show through the dashes.
-                axes.plot(rows[column], values.where(~full | ~full.shift(fill_value=True)), style, color="0.75", lw=1.2)
+                axes.plot(rows[column], np.where(grey, values, np.nan), style, color="0.75", lw=1.2)
                 axes.plot(rows[column], np.where(full, values, np.nan), style, color=colour, lw=1.2, label=name)
             if "lambda_ratio" in rows and not number:
                 height = float((rows["film_min [m]"] / rows["lambda_ratio"]).dropna().iloc[0])
