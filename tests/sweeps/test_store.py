@@ -127,7 +127,7 @@ def fill(path, count=400):
             store.save(content_key(task, 1e-3), task, 1e-3, solver_version("steady"), DONE)
 
 
-@pytest.mark.parametrize("damage", ["page", "table", "release"])
+@pytest.mark.parametrize("damage", ["page", "schema", "table", "release"])
 def test_a_damaged_store_is_refused_and_not_changed(tmp_path, damage):
     path = tmp_path / "s"
     fill(path)
@@ -135,6 +135,8 @@ def test_a_damaged_store_is_refused_and_not_changed(tmp_path, damage):
         content = bytearray(path.read_bytes())
         content[4096 * 9 : 4096 * 10] = b"\xa5" * 4096
         path.write_bytes(content)
+    elif damage == "schema":  # SQLite's message quotes it, and is no text either
+        path.write_bytes(path.read_bytes().replace(b"CREATE TABLE log", b"CREATE \x95ABLE log"))
     else:
         with sqlite3.connect(path) as connection:
             connection.execute("DROP TABLE log" if damage == "table" else "PRAGMA user_version = 99")

@@ -13,7 +13,7 @@ from typing import Any
 
 from softlube.errors import InputError
 from softlube.files.writing import check_destination
-from softlube.sweeps.store import Store, outcome_of
+from softlube.sweeps.store import DAMAGE, Store, outcome_of
 
 DEEPEST = 3
 """Digits of the keys up to which a damaged range is divided: 4096 ranges at most."""
@@ -64,14 +64,14 @@ def _rows(damaged: sqlite3.Connection, prefix: str = "") -> Iterator[tuple[Any, 
     bounds = prefix, prefix + "g"
     try:
         yield from damaged.execute(query, bounds).fetchall()
-    except (sqlite3.DatabaseError, UnicodeDecodeError):
+    except DAMAGE:
         if len(prefix) < DEEPEST:
             for digit in "0123456789abcdef":
                 yield from _rows(damaged, prefix + digit)
             return
         found = {}
         for order in ("ASC", "DESC"):
-            with suppress(sqlite3.DatabaseError, UnicodeDecodeError):
+            with suppress(*DAMAGE):
                 for row in damaged.execute(query + order, bounds):
                     found[row[0]] = row
         yield from found.values()

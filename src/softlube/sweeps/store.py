@@ -30,6 +30,8 @@ LEASE = 30.0
 """Seconds after which a claim that is not renewed lapses."""
 PATIENCE = 60.0
 """Seconds to wait for another process's transaction."""
+DAMAGE = sqlite3.DatabaseError, UnicodeDecodeError
+"""What SQLite's driver raises on a damaged file; the second where SQLite's own message quotes bytes that are no text."""
 
 _TABLES = """
 CREATE TABLE IF NOT EXISTS outcomes (
@@ -92,7 +94,7 @@ class Store:
                 if "locked" not in str(error) or time.monotonic() > deadline:
                     raise InputError(f"store: {str(path)!r} cannot be opened ({error})") from None
                 time.sleep(0.05)
-            except sqlite3.DatabaseError as error:
+            except DAMAGE as error:
                 self._connection.close()
                 what = "is no store of a sweep" if "not a database" in str(error) else f"is damaged; {_remedy(self.path)}"
                 raise InputError(f"store: {str(path)!r} {what} ({error})") from None
@@ -132,7 +134,7 @@ class Store:
             yield
         except sqlite3.OperationalError as error:
             raise OSError(errno.EIO, f"{error}; what is finished is kept, run again to take it up", str(self.path)) from error
-        except sqlite3.DatabaseError as error:
+        except DAMAGE as error:
             raise InputError(f"store: {str(self.path)!r} is damaged; {_remedy(self.path)} ({error})") from error
 
     @contextmanager
