@@ -1,4 +1,4 @@
-"""What the choice of force, its region and the slab's thickness do to a viscosity fitted to friction (docs/fitting.md).
+"""What the choice of force, its region and the slab's thickness do to a viscosity fitted to friction (docs/how-to/fitting.md).
 
     python benchmarks/viscosity_finding.py
 

@@ -14,8 +14,8 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_gallery_shows_every_figure():
-    text = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
-    shown = re.findall(r"\]\(figures/([\w-]+)\.png\)", text)
+    text = (ROOT / "docs" / "theory" / "gallery.md").read_text(encoding="utf-8")
+    shown = re.findall(r"\]\(../figures/([\w-]+)\.png\)", text)
     assert shown == [spec.stem for spec in FIGURES.values()]
     for stem in shown:
         picture = ROOT / "docs" / "figures" / f"{stem}.png"
@@ -29,14 +29,14 @@ def test_readme_shows_the_command_s_picture():
 
 
 def test_links_between_the_pages_lead_somewhere():
-    for page in (ROOT / "README.md", *(ROOT / "docs").glob("*.md")):
+    for page in (ROOT / "README.md", *(ROOT / "docs").rglob("*.md")):
         for target in re.findall(r"\]\((?!https?:|#)([^)#]+)", page.read_text(encoding="utf-8")):
             assert (page.parent / target).exists(), f"{page.name}: {target}"
 
 
 def test_table_of_the_laws_is_what_we_find():
-    """Paper's and our prefactors and exponents in docs/paper-comparison.md against a fit made here."""
-    text = (ROOT / "docs" / "paper-comparison.md").read_text(encoding="utf-8")
+    """Paper's and our prefactors and exponents in docs/theory/paper-comparison.md against a fit made here."""
+    text = (ROOT / "docs" / "theory" / "paper-comparison.md").read_text(encoding="utf-8")
     betas = (30.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0, 1e4)
     solutions = [softlube.solve(beta=beta, accuracy=3e-3) for beta in betas]
     for law in scaling.LAWS:

@@ -57,7 +57,7 @@ def test_the_synthetic_data_are_what_the_script_makes_and_say_that_they_are_synt
 
 
 def test_wherever_synthetic_data_appear_they_are_called_so():
-    for path in [*EXAMPLES.glob("*.py"), *EXAMPLES.glob("data/*"), *(EXAMPLES.parent / "docs").glob("*.md")]:
+    for path in [*EXAMPLES.glob("*.py"), *EXAMPLES.glob("data/*"), *(EXAMPLES.parent / "docs").rglob("*.md")]:
         text = path.read_text()
         if "synthetic_friction" in text:
             assert "synthetic" in text.lower().replace("synthetic_friction", ""), path.name

@@ -1,4 +1,4 @@
-"""The tables of docs/inputs.md are the declarations, and its example is a liquid."""
+"""The tables of docs/reference/inputs.md are the declarations, and its example is a liquid."""
 
 from pathlib import Path
 
@@ -6,7 +6,7 @@ import softlube
 from softlube.model.parts import Part
 from softlube.physical.inputs import SLIDING_BODIES, Approach, Loading, Measured, StartOfSliding
 
-PAGE = Path(__file__).parents[2] / "docs" / "inputs.md"
+PAGE = Path(__file__).parents[2] / "docs" / "reference" / "inputs.md"
 
 
 def row(owner, each):

@@ -1,4 +1,4 @@
-"""The worked examples of docs/layers.md and docs/viscosity.md are what the command makes."""
+"""The worked examples of docs/how-to/layers.md and docs/how-to/viscosity.md are what the command makes."""
 
 import re
 from pathlib import Path
@@ -20,14 +20,14 @@ BALL = ["--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s",
 def test_paper_s_slab(capsys):
     assert main(["solve", *BALL, "--thickness", "2 mm"]) == 0
     said = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("Warning:"))
-    text = " ".join((DOCS / "layers.md").read_text(encoding="utf-8").split())
+    text = " ".join((DOCS / "how-to" / "layers.md").read_text(encoding="utf-8").split())
     assert said in text
 
 
 def test_soft_contact_and_an_oil(capsys):
     assert main(["solve", *BALL, "--pressure-viscosity", "20 GPa^-1"]) == 0
     said = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("Warning:"))
-    assert said in (DOCS / "viscosity.md").read_text(encoding="utf-8")
+    assert said in (DOCS / "how-to" / "viscosity.md").read_text(encoding="utf-8")
 
 
 def test_barus_from_python():

@@ -1,4 +1,4 @@
-"""The worked examples of docs/squeeze.md are run, and give what the page says; so does the table of layers of its notes."""
+"""Examples of docs/how-to/squeeze.md are run and give what the page says; so does the table of layers of its notes."""
 
 import json
 import re
@@ -15,7 +15,7 @@ from softlube.model.substrates import LayerKernel
 from softlube.transient.squeeze.integrate import HISTORIES
 
 DOCS = Path(__file__).parents[2] / "docs"
-PAGE = (DOCS / "squeeze.md").read_text(encoding="utf-8")
+PAGE = (DOCS / "how-to" / "squeeze.md").read_text(encoding="utf-8")
 
 
 COMMANDS = re.findall(r"```bash\nsoftlube (squeeze .*)\n```\n\n((?:    .*\n)+)((?:\n    Warning.*\n)?)", PAGE)

@@ -24,7 +24,7 @@ from softlube.model.quantities import (
     reference,
 )
 
-PAGE = Path(__file__).parents[2] / "docs" / "quantities.md"
+PAGE = Path(__file__).parents[2] / "docs" / "reference" / "quantities.md"
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
 
 

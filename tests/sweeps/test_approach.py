@@ -275,8 +275,8 @@ def test_no_result_overwrites_a_history(tmp_path, capsys):
 
 
 def test_worked_example_of_the_page(tmp_path, monkeypatch):
-    """The plan and the table of docs/sweeps.md."""
-    page = (Path(__file__).parents[2] / "docs" / "sweeps.md").read_text(encoding="utf-8")
+    """The plan and the table of docs/how-to/sweeps.md."""
+    page = (Path(__file__).parents[2] / "docs" / "how-to" / "sweeps.md").read_text(encoding="utf-8")
     page = page[page.index("## Squeeze films") : page.index("## What comes out")]
     monkeypatch.chdir(tmp_path)
     Path("plan.toml").write_text(re.findall(r"```toml\n(.*?)```", page, flags=re.DOTALL)[0])

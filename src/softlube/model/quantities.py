@@ -1,8 +1,8 @@
 """Quantities: what each of them means, and a number with its error.
 
 A new quantity takes one row of `STEADY` here and one line in `softlube.discretization.measure.measure`.  Printed tables, JSON,
-NetCDF files, headers of CSV files, SI values, axis labels, error estimates and docs/quantities.md follow from the row.  The
-shipped master curve has the quantity after `benchmarks/master_curve.py` has made its table anew.
+NetCDF files, headers of CSV files, SI values, axis labels, error estimates, docs/reference/quantities.md follow from the row.
+The shipped master curve has the quantity after `benchmarks/master_curve.py` has made its table anew.
 """
 
 from __future__ import annotations
@@ -313,7 +313,7 @@ def header(name: str, unit: str = "", *, error: bool = False) -> str:
 
 
 def reference(names: Iterable[str]) -> str:
-    """The rows of some quantities as a Markdown table, as in docs/quantities.md."""
+    """The rows of some quantities as a Markdown table, as in docs/reference/quantities.md."""
 
     def compared(row: Definition) -> str:
         parts = row.compared_with or (row.name,)

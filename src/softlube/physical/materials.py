@@ -109,7 +109,7 @@ class Materials:
         return float(hertz_indentation(load, self.reduced_radius, self.contact_modulus))
 
     def scales(self, height: float) -> dict[str, tuple[float, str]]:
-        """SI value and unit of each unit of the problem normalised with a height [m], Eqs. (4) and (26); docs/squeeze.md."""
+        """SI value and unit of each unit of a problem normalised with a height [m], Eqs. (4), (26); docs/how-to/squeeze.md."""
         length = math.sqrt(self.reduced_radius * height)
         pressure = 4 * math.pi * self.contact_modulus * math.sqrt(height / self.reduced_radius)
         return {

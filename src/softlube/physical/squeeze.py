@@ -104,7 +104,7 @@ class Setup(Materials):
 
     @property
     def units(self) -> dict[str, tuple[float, str]]:
-        """SI value and unit of each unit of the normalised problem; docs/squeeze.md."""
+        """SI value and unit of each unit of the normalised problem; docs/how-to/squeeze.md."""
         return self.scales(self.unit_height)
 
     def doubts(self, extremes: Extremes) -> tuple[str, ...]:

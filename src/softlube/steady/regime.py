@@ -52,7 +52,7 @@ class Regime:
     thickening : float
         ln η/η₀ at the largest pressure of the dry contact, which is (2/π²)√(indentation) on a half-space.
     front : bool
-        Whether the constriction at the sides of the contact may end in a front, as on very thin layers (docs/layers.md).
+        Whether the constriction at the sides of the contact may end in a front, as on very thin layers (docs/how-to/layers.md).
     """
 
     problem: Problem

@@ -62,7 +62,7 @@ def solve(
         from it.
     method : {"newton", "relaxation", "cartesian"}
         This solver, or the paper's own method on its polar mesh of 50 × 30 or on a Cartesian one of 100 × 50
-        (docs/paper-method.md): slower, with one mesh and so without errors, for comparison.
+        (docs/theory/paper-method.md): slower, with one mesh and so without errors, for comparison.
     budget : float
         Seconds of processor time after which this solver gives up; the paper's method takes as long as it takes.
     progress : callable, optional
@@ -168,6 +168,6 @@ def _regime(problem: Problem) -> Regime:
     if regime.thickening > THICKEST:
         raise NotConvergedError(
             f"the viscosity would rise by a factor of e^{regime.thickening:.0f} under the dry contact's pressure; contacts are "
-            f"solved up to e^{THICKEST:.0f} (docs/viscosity.md)"
+            f"solved up to e^{THICKEST:.0f} (docs/how-to/viscosity.md)"
         )
     return regime

@@ -123,7 +123,7 @@ def _hint(name: str, kind: Kind, folder: str | os.PathLike[str]) -> str:
 
 
 def read_plan(path: str | os.PathLike[str]) -> Plan:
-    """Cases from a TOML file (docs/sweeps.md describes it).
+    """Cases from a TOML file (docs/how-to/sweeps.md describes it).
 
     Raises
     ------

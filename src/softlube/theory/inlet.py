@@ -61,7 +61,7 @@ class Mesh:
 INLET_MESH = Mesh(step=0.12, outer=14.0, inner=40.0, length=0.3)
 OUTLET_MESH = Mesh(step=0.1, outer=14.0, inner=40.0, length=0.1, centre=-0.14)
 FRONT = Mesh(step=0.1, outer=34.0, inner=40.0, length=0.1)
-"""Meshes of the inlet, the outlet full of liquid and the outlet with a free boundary; errors in docs/asymptotics.md."""
+"""Meshes of the inlet, the outlet full of liquid and the outlet with a free boundary; errors in docs/theory/asymptotics.md."""
 
 SWITCH = 4.0
 """Where in t the weight falls off that keeps the integrated Reynolds equation to the outside."""

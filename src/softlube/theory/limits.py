@@ -53,7 +53,7 @@ Array = NDArray[np.floating]
 # Inside the contact the pressure is Hertz's; the film is what the inlet lets in, carried along x.  The constants come from the
 # similarity problems of `softlube.inlet`, solved on demand (a second).  The flow that the Hertz pressure drives in the
 # contact is smaller than the Couette flow by β u² p ~ β^(−1/5): that is the second term where `terms` is offered.  What is
-# left out then is O(β^(−2/5) ln β) of the first term, if nothing else is said.  docs/asymptotics.md has the derivations.
+# left out then is O(β^(−2/5) ln β) of the first term, if nothing else is said.  docs/theory/asymptotics.md has the derivations.
 
 EDGE_PRESSURE = np.sqrt(2) * HERTZ_PRESSURE
 """A in p = A√s, the Hertz pressure at a distance s ≪ 1 inside the contact's edge."""

@@ -103,7 +103,7 @@ FILM_CENTER = PaperLaw("22a", "film_center", STEADY["film_center"].words, 0.9051
 FILM_MIN = PaperLaw("22b", "film_min", STEADY["film_min"].words, 0.9283, -0.6626)
 FRICTION = PaperLaw("28", "friction_domain", "friction over r ≤ 2", 4.806, -0.4398)
 LAWS = (GRADIENT, BOUNDARY_LAYER, FILM_CENTER, FILM_MIN, FRICTION)
-"""The paper's laws, with (20) over the Hertz maximum and (28) over r ≤ 2, as the data show (docs/paper-comparison.md)."""
+"""The paper's laws, with (20) over the Hertz maximum and (28) over r ≤ 2, as the data show: docs/theory/paper-comparison.md."""
 
 
 def asymptote(quantity: str, cavitation: str = "reynolds") -> Callable[[ArrayLike], Array] | None:

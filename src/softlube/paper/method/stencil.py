@@ -106,7 +106,7 @@ def reynolds_stencil(film: Array, mesh: PaperMesh, beta: float) -> Stencil:
 def centre_pressure(pressure: Array, film: Array, mesh: PaperMesh, beta: float) -> float:
     """Pressure at r = 0 from its neighbours: the balance (15) over the disc r ≤ r₁/2, Eq. (16).
 
-    Two corrections of the printed formula, both from (15); see docs/paper-method.md.  The sums over the half circle are
+    Two corrections of the printed formula, both from (15); see docs/theory/paper-method.md.  The sums over the half circle are
     trapezoidal, their ends counting half.  And the film's derivative ∂u/∂θ vanishes in proportion to r towards the
     centre, which makes its sum half the printed one; as printed, a film u = u₀ + g x would drive 3/2 of its flux.
 

@@ -1,4 +1,4 @@
-"""The front in which the constriction at the sides of a contact on a very thin layer ends (docs/layers.md)."""
+"""The front in which the constriction at the sides of a contact on a very thin layer ends (docs/how-to/layers.md)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ DOUBT = (
     "the layer is so thin that its film at the sides is thinnest at a front a degree wide, which the grids hardly resolve: "
     "{}. Every other quantity is as accurate as asked"
 )
-ADVICE = "On so thin a layer a front at the sides is too sharp for these grids; other beta are solved (docs/layers.md)."
+ADVICE = "On so thin a layer a front at the sides is too sharp for these grids; other beta are solved (docs/how-to/layers.md)."
 
 
 class Front(Refinement):

@@ -35,12 +35,12 @@ SPIKE_QUANTITIES = ("pressure_max", *SPIKE)
 OPEN_SPIKE = (
     "the pressure has a spike at r = {:.2f} (outlet axis) that is narrower than the finest cells and grows from grid to grid, "
     "so there is no maximum pressure, and no friction or boundary layer that depends on it; the films do not depend on it "
-    "(docs/viscosity.md)"
+    "(docs/how-to/viscosity.md)"
 )
 """Warning of a solution whose spike has no height; the radius is over the unit of length."""
 COARSE_SPIKE = (
     "the pressure has a spike at r = {:.2f} (outlet axis) that the contact's finest cells hardly resolve; not given, because "
-    "the error would be above 10 %: {}; the films do not depend on it (docs/viscosity.md)"
+    "the error would be above 10 %: {}; the films do not depend on it (docs/how-to/viscosity.md)"
 )
 """Warning where the spike has a height, and the quantities that it determines are not known well enough."""
 
