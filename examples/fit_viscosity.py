@@ -3,14 +3,13 @@
 
 The friction of 72 combinations of load and speed gives the viscosity of the liquid. The data are **synthetic**: made by
 ``synthetic_friction.py`` from softlube's own solutions with a viscosity of 2 Pa s and 5 % of noise, in the shape of the paper's
-experiments, whose numbers are not printed there.
+experiments, whose numbers are not printed there. The table stands in ``examples/data`` of the repository; run the script in
+``examples``.
 """
-
-from pathlib import Path
 
 import softlube
 
-data = softlube.read_measurements(Path(__file__).parent / "data" / "synthetic_friction.csv")
+data = softlube.read_measurements("data/synthetic_friction.csv")
 fit = softlube.fit(data, radius="2 mm", young_modulus="3 MPa", free=["viscosity"], hold_out=0.2)
 
 viscosity = fit.estimates["viscosity"]

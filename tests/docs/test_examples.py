@@ -1,16 +1,21 @@
 """Every example runs, and one number of each is what it should be."""
 
 import runpy
+import shutil
 import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import softlube
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def run(name, folder, monkeypatch):
+    """Names of an example after it ran in a copy of its folder: examples read and write files beside them."""
+    shutil.copytree(EXAMPLES, folder, dirs_exist_ok=True)
     monkeypatch.chdir(folder)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -20,6 +25,10 @@ def run(name, folder, monkeypatch):
 def test_first_contact(tmp_path, monkeypatch):
     names = run("first_contact", tmp_path, monkeypatch)
     assert names["solution"].dimensional["film_center"] == pytest.approx(174.1e-9, rel=1e-3)
+    assert names["change"] == pytest.approx(1.1**0.593 - 1, rel=0.02)  # the film's local exponent, in asymptotics.md
+    for quantity in ("film_center", "film_min", "friction_total"):
+        value = names["coarse"].dimensional[quantity]
+        assert abs(value - names["fine"].dimensional[quantity]) < value.error
     assert (tmp_path / "first_contact.png").exists()
 
 
@@ -35,6 +44,40 @@ def test_fit_viscosity(tmp_path, monkeypatch):
     assert names["viscosity"].low <= 2.0 <= names["viscosity"].high
     assert names["fit"].hold_out.probability > 0.01
     assert (tmp_path / "fit_viscosity.png").exists()
+
+
+def test_layer_under_lens(tmp_path, monkeypatch):
+    names = run("layer_under_lens", tmp_path, monkeypatch)
+    # what the text of the page says: indentation, centre film, minimum film, friction at t/a = 4
+    assert names["changes"]["2 mm"] == pytest.approx([-0.18, -0.0067, -0.0079, -0.0015], abs=1e-4)
+    dry = softlube.dry.dry_contact_at(softlube.substrates.LayerKernel(thickness_in_units(names)), load=4 / (3 * np.pi))
+    # The film holds the lens up by a part of its thickness.
+    lubricated = names["layers"]["0.3 mm"].dimensional
+    difference = float(names["half_space"].dimensional["indentation"]) * dry.indentation - float(lubricated["indentation"])
+    assert 0 < difference < lubricated["film_center"]
+    assert (tmp_path / "layer_under_lens.png").exists()
+
+
+def thickness_in_units(names):
+    """Thickness of 0.3 mm in units of √(Rδ), with the Hertz indentation δ of the load."""
+    contact = names["half_space"].dimensional
+    return 0.3e-3 / float(contact["contact_radius"])
+
+
+def test_squeeze_dimple(tmp_path, monkeypatch):
+    names = run("squeeze_dimple", tmp_path, monkeypatch)
+    assert names["exponent"] == pytest.approx(-0.5, abs=0.005)
+    assert names["fall"].dimple_time == pytest.approx(7.11e-3, rel=0.01)
+    assert names["touch"].time[-1] == pytest.approx(0.5327, rel=1e-3)  # the sweep of docs/how-to/sweeps.md
+    assert (tmp_path / "squeeze_dimple.png").exists()
+
+
+def test_killed_sweep(tmp_path, monkeypatch, capfd):
+    names = run("killed_sweep", tmp_path, monkeypatch)
+    assert 10 <= names["kept"] < 36
+    assert f"{names['kept']} were in the store, {36 - names['kept']} solved now" in names["second"].stdout
+    assert "same table: True" in capfd.readouterr().out
+    assert names["table"]["film_min [m]"].iloc[0] == pytest.approx(46.32e-9, rel=1e-3)
 
 
 def test_read_solution(tmp_path, monkeypatch):
