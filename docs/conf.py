@@ -9,6 +9,8 @@ HERE = Path(__file__).parent
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 sys.path.insert(0, str(HERE / "_ext"))
 
+from docutils import nodes  # noqa: E402
+
 import softlube  # noqa: E402
 
 project = "softlube"
@@ -68,6 +70,14 @@ def escape_bars(app, what, name, obj, options, lines):
     lines[:] = [line if "``" in line or line.lstrip().startswith(">>>") else line.replace("|", r"\|") for line in lines]
 
 
+def no_links_to_examples(app, doctree):
+    """Addresses of schedulers in help texts are examples, of which docutils makes links."""
+    for link in list(doctree.findall(nodes.reference)):
+        if link.get("refuri", "").startswith("tcp:"):
+            link.replace_self(link.children)
+
+
 def setup(app):
     """Connect what the extensions leave to this site."""
     app.connect("autodoc-process-docstring", escape_bars, priority=900)  # after numpydoc
+    app.connect("doctree-read", no_links_to_examples)
