@@ -1,9 +1,11 @@
 """Exceptions: what callers catch them as."""
 
+import warnings
+
 import pytest
 
 import softlube
-from softlube.errors import InputError, NotConvergedError, SoftlubeError, printable, shown
+from softlube.errors import InputError, NotConvergedError, SoftlubeError, printable, shown, warn
 
 
 def test_one_base_for_all():
@@ -43,3 +45,13 @@ def test_what_has_no_repr():
             with pytest.raises(InputError, match=f"^{name}: |^young_modulus"):
                 take(**{name: thing})
     assert shown("a") == "'a'"
+
+
+def test_doubts_are_said_every_time_and_each_once():
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("default")
+        for _ in range(2):
+            warn(["one", "two", "one"])
+    assert [str(each.message) for each in heard] == ["one", "two"] * 2
+    assert {each.category for each in heard} == {softlube.ValidityWarning}
+    assert {each.filename for each in heard} == {__file__}

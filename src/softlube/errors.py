@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import sys
+import warnings
+from collections.abc import Iterable
+
 LONGEST = 300
 """Characters of a message."""
 
@@ -52,3 +56,18 @@ class ValidityWarning(UserWarning):
 
 class NotConvergedError(SoftlubeError, RuntimeError):
     """The equations were not solved, or not to the accuracy asked for; the message says what to try."""
+
+
+def warn(doubts: Iterable[str]) -> None:
+    """Say doubts as `ValidityWarning`, each once, as of the line outside softlube that led here.
+
+    Python remembers what it has warned of, and is silent when the same line runs again, as a notebook's cell does.  These
+    doubts belong to a result, so every result says them.
+    """
+    frame = place = sys._getframe(1)
+    while frame is not None:  # to the outermost call: decorators of other packages stand in between
+        if frame.f_globals.get("__name__", "").partition(".")[0] == "softlube":
+            place = frame.f_back or frame
+        frame = frame.f_back
+    for doubt in dict.fromkeys(doubts):
+        warnings.warn_explicit(doubt, ValidityWarning, place.f_code.co_filename, place.f_lineno, registry={})

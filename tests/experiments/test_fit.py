@@ -221,3 +221,15 @@ def test_a_layer_s_parameters_act_like_the_load(clean, name, factor):
     assert like == pytest.approx(8.0 if name == "thickness" else 1 / 8, rel=1e-9)
     ours, theirs = model.problem(changed, 0.1).substrate, model.problem(start, 0.1 * like).substrate
     assert ours.thickness == pytest.approx(theirs.thickness, rel=1e-9)
+
+
+def test_a_fit_shows_its_parameters(clean):
+    found = fit(noisy(clean, 3), **KNOWN, compare=False)
+    assert repr(found).startswith("<Fit: viscosity 1.978 Pa s; 72 rows of data, beta ")
+    assert len(found._repr_html_().encode()) < 4000
+    rows = {row[0]: row[1:] for row in found.summary().rows}
+    assert float(rows["viscosity"][0]) == pytest.approx(found.values["viscosity"], rel=1e-3)
+    assert rows["young modulus"] == ("3e+06", "held", "Pa")
+    frame = found.to_dataframe()
+    assert frame.loc["viscosity", "low"] == found.estimates["viscosity"].low
+    assert not frame.loc["young_modulus", "fitted"]

@@ -152,3 +152,13 @@ def test_the_ratio_of_sliding_to_rolling_is_a_column_or_the_same_for_all(tmp_pat
     data = read_measurements(write(tmp_path, header + "100, 0.1, 0.2, 0.45\n200, 0.2, 2, 0.90\n"), slide_to_roll=1.5)
     assert data.slide_to_roll.tolist() == [0.2, 2.0]
     assert data.speed == pytest.approx([2e-4, 4e-4])  # the sum of both surfaces' speeds
+
+
+def test_measurements_show_their_range(tmp_path):
+    found = read_measurements(write(tmp_path, HEADER + ROWS))
+    assert repr(found) == "<Measurements: 2 rows of data.csv>"
+    assert found.summary().rows[0] == ("load", "100 mN", "150 mN", "200 mN")
+    assert len(found._repr_html_().encode()) < 4000
+    frame = found.to_dataframe()
+    assert frame["friction [N]"].tolist() == found.friction.tolist() == pytest.approx(RIGHT["friction"])
+    assert frame["line"].tolist() == [2, 3]

@@ -121,3 +121,13 @@ def test_a_contact_brings_its_motion_and_roughness():
     assert table["friction [N]"].to_numpy() == pytest.approx(same["friction [N]"].to_numpy(), rel=1e-9)
     with pytest.raises(softlube.InputError, match="load: missing"):
         stribeck_curve(softlube.Contact(**bodies | {"load": None, "indentation": "1 um"}, speed=1.0), **RANGE)
+
+
+def test_a_curve_shows_some_of_its_rows(sliding):
+    assert len(sliding._repr_html_().encode()) < 4000
+    summary = sliding.summary()
+    assert summary.title == "Stribeck curve: 18 rows, 2 loads, 0.05 to 5 mm/s"
+    assert [row[0] for row in summary.rows] == ["50"] * 6 + ["100"] * 6
+    assert float(summary.rows[-1][1]) == 5
+    assert type(sliding.to_dataframe()) is type(sliding[sliding["load [N]"] < 0.07])
+    assert sliding.to_dataframe().equals(sliding)

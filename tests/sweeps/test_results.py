@@ -1,5 +1,6 @@
 """Results as tables and files."""
 
+import numpy as np
 import pandas as pd
 import pytest
 
@@ -16,6 +17,7 @@ BALL = {
 
 
 ROUGH = 0.02
+SHOWN = ["film_center [m]", "film_min [m]", "friction_coefficient"]
 
 
 @pytest.fixture(scope="module")
@@ -90,3 +92,21 @@ def test_a_folder_for_fields(tmp_path):
         check_folder("fields", tmp_path / "file")
     with pytest.raises(softlube.InputError, match=r"^fields: the folder '.*none' does not exist"):
         check_folder("fields", tmp_path / "none" / "new")
+
+
+def test_a_sweep_shows_itself_and_says_once_how_many_cases_have_doubts(swept):
+    result, store = swept
+    assert repr(result) == "<Sweep: 4 cases, 0 failed>"
+    assert list(result.summary().header) == ["case", "load [N]", "speed [m/s]", "status", *SHOWN]
+    assert len(result._repr_html_().encode()) < 4000
+    assert result.n_warned == 0
+    changed = result.table
+    changed.loc[0, "status"] = "changed"
+    assert result.to_dataframe()["status"][0] == "done"
+    with pytest.warns(softlube.ValidityWarning, match="^2 of 4 cases have warnings: see the column warnings") as heard:
+        rough = softlube.sweep(BALL | {"roughness": float(np.median(result.table["film_min [m]"])) / 3}, accuracy=ROUGH, store=store)
+    assert len(heard) == 1
+    assert [bool(text) for text in rough.table["warnings"]].count(True) == 2
+    many = softlube.sweep({"beta": [10.0**k for k in range(1, 5)] * 10}, accuracy=0.1, workers=1)
+    assert len(many.summary().rows) == 13
+    assert many.summary().notes == ("13 of 40 cases",)

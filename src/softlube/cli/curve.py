@@ -181,7 +181,7 @@ def _print(place: Any, values: Any, symbol: str, one: bool, source: str) -> None
     from rich.console import Console
     from rich.table import Table
 
-    from softlube.cli.table import rounded
+    from softlube.model.summary import rounded
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     if one:

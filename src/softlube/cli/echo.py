@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from softlube.model.prefixes import shown
 from softlube.physical.inputs import declared
-from softlube.physical.units import shown
 
 MEANT = {"slowest": "entrainment_speed", "fastest": "entrainment_speed"}
 """Options that have the dimension of an input with another name."""

@@ -13,7 +13,6 @@ from softlube.physical.inputs import BODIES
 
 if TYPE_CHECKING:
     from softlube.experiments.fit import Fit
-    from softlube.experiments.intervals import Estimate
 
 _RIG = Group("Rig and liquid (give what is known; a parameter that is fitted may be given to start from)", sort_key=1)
 _FIT = Group("Fit", sort_key=2)
@@ -135,25 +134,10 @@ def fit(
     return 0
 
 
-def _rounded(estimate: Estimate) -> tuple[str, str, str]:
-    """Value and ends as text, with two digits more than the interval leaves open."""
-    import math
-
-    ends = (estimate.low, estimate.high)
-    width = max((abs(end - estimate.value) for end in ends if math.isfinite(end)), default=0.0)
-    digits = 4
-    if width > 0 and estimate.value:
-        digits = min(max(2 + math.ceil(math.log10(abs(estimate.value) / width)), 3), 12)
-    low, high = (f"{end:.{digits}g}" if math.isfinite(end) else "open" for end in ends)
-    return f"{estimate.value:.{digits}g}", low, high
-
-
 def _report(found: Fit, files: list[str]) -> None:
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
-    from softlube.experiments.friction_model import unit_of
+    from softlube.cli.table import summary_table
     from softlube.experiments.load_curve import described
 
     console = Console(highlight=False, soft_wrap=True)
@@ -163,15 +147,7 @@ def _report(found: Fit, files: list[str]) -> None:
     )
     for notice in data.notices:
         console.print(f"Note: {printable(notice)}.", markup=False)
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for column in ("parameter", "value", f"{100 * found.confidence:g} % interval ({found.interval})", "unit"):
-        table.add_column(column, no_wrap=True)
-    for name, estimate in found.estimates.items():
-        value, low, high = _rounded(estimate)
-        table.add_row(name.replace("_", " "), value, f"{low} to {high}", estimate.unit)
-    for name in sorted(found.values.keys() - found.estimates.keys()):
-        table.add_row(name.replace("_", " "), f"{found.values[name]:.5g}", "held", unit_of(name))
-    console.print(table, soft_wrap=False)
+    console.print(summary_table(found.summary()), soft_wrap=False)
     kind = f"{100 * found.scatter:.2g} %" if found.model.noise == "relative" else f"{found.scatter:.2g} of the median friction"
     console.print(f"Scatter: {kind}. Taken as measured: {described(found.model.force, found.region)}.", markup=False)
     for verdict in found.verdicts:

@@ -163,12 +163,13 @@ def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: s
         return 0
     from rich.console import Console
 
-    from softlube.cli.table import solution_table
+    from softlube.cli.table import text_table
+    from softlube.model.summary import steady_rows
 
     console = Console(highlight=False, soft_wrap=True)
     console.print(echo(inputs), markup=False)
     console.print(f"{name} = {problem.parameter:.5g}, read off the master curve: not solved", markup=False)
-    console.print(solution_table(problem, quantities, dimensional), soft_wrap=False)
+    console.print(text_table(steady_rows(problem, quantities, dimensional)), soft_wrap=False)
     for doubt in doubts:
         console.print(f"[bold yellow]Warning:[/] {doubt}.")
     return 0
@@ -200,7 +201,7 @@ def _write_files(solution: Solution, output: str | None, plot: str | None) -> No
 def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str]) -> None:
     from rich.console import Console
 
-    from softlube.cli.table import solution_table
+    from softlube.cli.table import summary_table
 
     console = Console(highlight=False, soft_wrap=True)
     console.print(inputs, markup=False)
@@ -208,7 +209,7 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
     console.print(f"β = {solution.beta:.5g} (by the load: {solution.beta_load:.5g}), {condition}", markup=False)
     if solution.contact is None and solution.problem.load_controlled:
         console.print("δ is the Hertz indentation of the load, Eq. (29).")
-    console.print(solution_table(solution.problem, solution.quantities, solution.dimensional), soft_wrap=False)
+    console.print(summary_table(solution.summary()), soft_wrap=False)
     console.print(_region(solution), markup=False)
     if "lambda_ratio" in solution.dimensional:
         from softlube.physical.roughness import lubrication

@@ -14,11 +14,6 @@ from softlube.model.motions import Sliding
 from softlube.physical.inputs import BODIES, Approach, StartOfSliding, names_of
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from rich.table import Table
-
-    from softlube.model.quantities import Quantity
     from softlube.transient.history import Transient
     from softlube.transient.squeeze.result import Squeeze
 
@@ -126,33 +121,16 @@ def _dimple(result: Squeeze) -> list[str]:
     return [f"The film is thinnest off the axis (a dimple) after {result.dimple_time:.3g} s."]
 
 
-def _table(quantities: Mapping[str, Quantity]) -> Table:
-    """Values with errors and units."""
-    from softlube.cli.table import empty_table, rounded
-    from softlube.model.quantities import QUANTITIES
-    from softlube.physical.units import prefixed
-
-    table = empty_table()
-    for name, quantity in quantities.items():
-        factor, unit = prefixed(float(quantity), quantity.unit)
-        error = quantity.error * factor
-        text, doubt = rounded(float(quantity) * factor, error if error > 1e-9 * abs(float(quantity) * factor) else 0.0)
-        table.add_row(QUANTITIES[name].words, text, f"± {doubt}", unit)
-    return table
-
-
 def _report(result: Transient, what: str, remarks: list[str], last: list[str]) -> None:
     """Print when and why it ended, the last values, remarks, warnings, and what it took."""
     from rich.console import Console
 
-    # Far out the pressure is next to nothing, and so is its least value where the liquid is pressed out everywhere.
-    least = 1e-3 * abs(float(result.final.get("pressure_center", 0.0)))
-    shown = {name: q for name, q in result.final.items() if name not in ("pressure_max", "pressure_min") or abs(q) > least}
+    from softlube.cli.table import summary_table
+
     console = Console(highlight=False, soft_wrap=True)
-    why = "the film reached its limit" if result.run.ended_by == "film_limit" else "the end of the motion"
     error = f" ± {result.time_error:.2g}" if result.time_error else ""
-    console.print(f"After {result.time[-1]:.6g}{error} s{what} ({why}):", markup=False)
-    console.print(_table(shown), soft_wrap=False)
+    console.print(f"After {result.time[-1]:.6g}{error} s{what} ({result.why_it_ended}):", markup=False)
+    console.print(summary_table(result.summary()), soft_wrap=False)
     for remark in remarks:
         console.print(remark, markup=False)
     for warning in result.warnings:

@@ -21,9 +21,6 @@ _OUTPUT = Group("Output", sort_key=4)
 Body = Annotated[str | None, Parameter(group=_BODIES, allow_leading_hyphen=True)]
 Motion = Annotated[str | None, Parameter(group=_MOTION, allow_leading_hyphen=True)]
 
-SHOWN = 13
-"""Rows printed for a load; the table has them all."""
-
 
 @takes((_BODIES, BODIES))
 def stribeck(
@@ -147,29 +144,21 @@ def stribeck(
 
 
 def _report(table: pandas.DataFrame, what: str, doubts: tuple[str, ...], files: list[str]) -> None:
-    import numpy as np
     from rich import box
     from rich.console import Console
     from rich.table import Table
 
+    from softlube.experiments.stribeck import printed
+    from softlube.model.summary import spread
+
     console = Console(highlight=False, soft_wrap=True)
     for load, rows in table.groupby("load [N]", sort=False):
-        shown = rows.iloc[np.unique(np.linspace(0, len(rows) - 1, SHOWN).round().astype(int))]
+        head, texts = printed(rows)
         grid = Table(box=box.SIMPLE_HEAD, pad_edge=False, title=f"load {1e3 * float(str(load)):.4g} mN", title_justify="left")
-        columns = ["speed mm/s", "Hersey", "β", "friction", "centre nm", "least nm"]
-        for column in [*columns, *(["λ"] if "lambda_ratio" in rows else [])]:
+        for column in head:
             grid.add_column(column, justify="right", no_wrap=True)
-        for _, row in shown.iterrows():
-            cells = [
-                f"{1e3 * row['entrainment_speed [m/s]']:.4g}",
-                f"{row['hersey']:.3g}",
-                f"{row['beta_load']:.4g}",
-                f"{row['friction_coefficient']:.4g}",
-                f"{1e9 * row['film_center [m]']:.4g}",
-                f"{1e9 * row['film_min [m]']:.4g}",
-                *([f"{row['lambda_ratio']:.3g}"] if "lambda_ratio" in rows else []),
-            ]
-            grid.add_row(*(("-" if cell == "nan" else cell) for cell in cells))
+        for row in spread(len(texts)):
+            grid.add_row(*texts[row])
         console.print(grid, soft_wrap=False)
     console.print("Speed: mean of both surfaces. Friction: coefficient. Least: thinnest film. Errors: see --output.")
     console.print(f"Friction is {what}.", markup=False)

@@ -93,12 +93,10 @@ def sweep(
             retry_failed=retry_failed,
             progress=bar.show,
         )
-    table = result.table
-    save_table(table, table_path)
+    save_table(result.table, table_path)
     written = result.save_fields(fields) if fields is not None else []
-    warned = int((table["warnings"].fillna("") != "").sum()) if "warnings" in table else 0
     print(echo(understood(cases.inputs())))
-    _report(result, warned, table_path, store_path, written)
+    _report(result, table_path, store_path, written)
     return 3 if result.n_failed == len(result.keys) else 0
 
 
@@ -108,7 +106,7 @@ def _say(text: str) -> None:
     Console(stderr=True, highlight=False, soft_wrap=True).print(text, markup=False)
 
 
-def _report(result: Sweep, warned: int, table: Path, store: Path, written: list[Path]) -> None:
+def _report(result: Sweep, table: Path, store: Path, written: list[Path]) -> None:
     from rich.console import Console
 
     console, total = Console(highlight=False, soft_wrap=True), len(set(result.keys))
@@ -119,7 +117,7 @@ def _report(result: Sweep, warned: int, table: Path, store: Path, written: list[
     )
     if result.n_foreign:
         console.print(f"The store also has {result.n_foreign} outcomes of another version of softlube: kept, not used.")
-    if warned:
+    if warned := result.n_warned:
         console.print(f"{warned} {'case has' if warned == 1 else 'cases have'} warnings; see the column warnings of the table.")
     reasons: dict[str, list[int]] = {}
     for number, key in enumerate(result.keys, 1):

@@ -19,6 +19,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
+from softlube.model.summary import FunctionOfBeta
+
 Array = NDArray[np.floating]
 Numbers: TypeAlias = Mapping[str, tuple[float, float]]
 """Values and absolute errors by name."""
@@ -35,8 +37,8 @@ NEARBY = 2
 """Nodes beyond an interval's ends that tell of its error."""
 
 
-@dataclass(frozen=True)
-class Interpolant:
+@dataclass(frozen=True, repr=False)
+class Interpolant(FunctionOfBeta):
     """A function of β through solutions, with its error.
 
     Attributes
@@ -53,6 +55,12 @@ class Interpolant:
     value: Array
     error: Array
     accuracy: float
+
+    def _range(self) -> tuple[float, float]:
+        return float(self.beta[0]), float(self.beta[-1])
+
+    def _values(self, beta: Array) -> dict[str, tuple[Array, Array]]:
+        return {"value": self(beta)}
 
     @cached_property
     def _scale(self) -> Array:

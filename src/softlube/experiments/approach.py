@@ -10,16 +10,19 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
+from softlube.errors import warn
 from softlube.files.histories import read_history
 from softlube.physical.inputs import BODIES, SLIDING_BODIES, Approach, StartOfSliding, check_names, documented
 from softlube.physical.sliding import read_sliding
 from softlube.physical.squeeze import WAYS, check_one_way, read_motion
+from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener
 from softlube.transient.sliding.result import Slide, follow_sliding
 from softlube.transient.squeeze.result import Squeeze, follow
 
 
 @documented(BODIES, Approach)
+@watched
 def squeeze(
     *,
     height: Callable[[float], float] | None = None,
@@ -75,10 +78,13 @@ def squeeze(
     check_names(given, BODIES, Approach)
     setup, motion = read_motion(_with_history(given | {"height": height}))
     limit = setup.film_limit / setup.unit_height
-    return replace(follow(motion, accuracy=accuracy, film_limit=limit, progress=progress), setup=setup)
+    result = replace(follow(motion, accuracy=accuracy, film_limit=limit, progress=progress), setup=setup)
+    warn(result.warnings)
+    return result
 
 
 @documented(SLIDING_BODIES, Approach, StartOfSliding)
+@watched
 def slide(
     *,
     height: Callable[[float], float] | None = None,
@@ -129,7 +135,9 @@ def slide(
     sliding, normalised = read_sliding(setup, given)
     limit = setup.film_limit / setup.unit_height
     result = follow_sliding(motion, **normalised, film_limit=limit, accuracy=accuracy, progress=progress)
-    return replace(result, setup=setup, sliding=sliding)
+    result = replace(result, setup=setup, sliding=sliding)
+    warn(result.warnings)
+    return result
 
 
 def _with_history(given: Mapping[str, Any]) -> dict[str, Any]:

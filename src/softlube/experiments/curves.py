@@ -11,6 +11,7 @@ from softlube.experiments.adaptive import Interpolant, Numbers, place
 from softlube.experiments.nodes import Node, Nodes, at, solving
 from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY
+from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.solve import check_accuracy
 
@@ -119,6 +120,7 @@ def available(problem: Problem) -> list[str]:
     return [name for name, row in STEADY.items() if name != prescribed and not row.place]
 
 
+@watched
 def quantity_curves(
     problem: Problem,
     low: float,

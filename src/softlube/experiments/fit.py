@@ -4,23 +4,27 @@ from __future__ import annotations
 
 import math
 import os
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.errors import InputError, SoftlubeError, ValidityWarning
+from softlube.errors import InputError, SoftlubeError, printable, warn
 from softlube.experiments.fit_checks import FEWEST_SIGNS, HoldOut, check_held_out, order_of_residuals
-from softlube.experiments.friction_model import Model, make_model, normalised_friction
+from softlube.experiments.friction_model import Model, make_model, normalised_friction, unit_of
 from softlube.experiments.intervals import Estimate, bootstrap, profile
 from softlube.experiments.load_curve import FORCES
 from softlube.experiments.measurements import Measurements, read_measurements
 from softlube.experiments.optimum import solve_model
+from softlube.model.summary import Summarised, Summary
 from softlube.physical.inputs import BODIES, documented
+from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener, Progress
+
+if TYPE_CHECKING:
+    import pandas
 
 Array = NDArray[np.floating]
 
@@ -35,8 +39,8 @@ LARGE = 100_000
 OTHER_REGIONS = (1.0, 2.0, 5.0)
 
 
-@dataclass(frozen=True)
-class Fit:
+@dataclass(frozen=True, repr=False)
+class Fit(Summarised):
     """What `fit` returns.
 
     Attributes
@@ -86,6 +90,36 @@ class Fit:
         return verdicts(self)
 
     @property
+    def headline(self) -> str:
+        """The fitted parameters, how many rows they are from, and what β these span."""
+        values = ", ".join(" ".join((name, estimate.rounded[0], estimate.unit)) for name, estimate in self.estimates.items())
+        data = f"{len(self.model.data)} rows of {printable(self.model.data.source)}"
+        return f"Fit: {values}; {data}, beta {self.beta.min():.4g} to {self.beta.max():.4g}"
+
+    def summary(self) -> Summary:
+        """Every parameter with its interval, fitted or held, and the verdicts."""
+        fitted = [
+            (name.replace("_", " "), value, f"{low} to {high}", estimate.unit)
+            for name, estimate in self.estimates.items()
+            for value, low, high in (estimate.rounded,)
+        ]
+        held = [
+            (name.replace("_", " "), f"{self.values[name]:.5g}", "held", unit_of(name))
+            for name in sorted(self.values.keys() - self.estimates.keys())
+        ]
+        header = ("parameter", "value", f"{100 * self.confidence:g} % interval ({self.interval})", "unit")
+        return Summary(self.headline, header, (*fitted, *held), tuple(each.removesuffix(".") for each in self.verdicts))
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each parameter, by its name: value, ends of its interval, unit, and whether it was fitted."""
+        import pandas as pd
+
+        rows = {name: (e.value, e.low, e.high, e.unit, True) for name, e in self.estimates.items()}
+        rows |= {name: (value, value, value, unit_of(name), False) for name, value in self.values.items() if name not in rows}
+        index = pd.Index(list(rows), name="parameter")
+        return pd.DataFrame(list(rows.values()), index=index, columns=["value", "low", "high", "unit", "fitted"])
+
+    @property
     def points(self) -> tuple[Array, Array]:
         """β and normalised friction of the data, the points of Fig. 13."""
         return normalised_friction(self.model, dict(self.values))
@@ -128,6 +162,7 @@ class Fit:
 
 
 @documented(BODIES)
+@watched
 def fit(
     data: Measurements | str | os.PathLike[str],
     *,
@@ -231,8 +266,7 @@ def fit(
     else:
         estimates, covariance = bootstrap(model, optimum, confidence, random, robust, progress)
     # With the modulus free, too, the comparison would show how loosely both are tied to the data, and nothing else.
-    for doubt in doubts(model, values):
-        warnings.warn(doubt, ValidityWarning, stacklevel=2)
+    warn(doubts(model, values))
     compared = compare and "viscosity" in model.free and "young_modulus" not in model.free and len(data) <= LARGE
     return Fit(
         model=model,

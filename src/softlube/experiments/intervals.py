@@ -46,6 +46,17 @@ class Estimate:
             return False
         return self.low < 0 or self.unit == "N" or (self.low > 0 and self.high / self.low < UNDETERMINED)
 
+    @property
+    def rounded(self) -> tuple[str, str, str]:
+        """Value and ends as text, with two digits more than the interval leaves open."""
+        ends = (self.low, self.high)
+        width = max((abs(end - self.value) for end in ends if math.isfinite(end)), default=0.0)
+        digits = 4
+        if width > 0 and self.value:
+            digits = min(max(2 + math.ceil(math.log10(abs(self.value) / width)), 3), 12)
+        low, high = (f"{end:.{digits}g}" if math.isfinite(end) else "open" for end in ends)
+        return f"{self.value:.{digits}g}", low, high
+
 
 def profile(model: Model, optimum: Optimum, name: str, confidence: float, progress: Listener | None = None) -> Estimate:
     """Interval of one parameter by the profile of the likelihood, the scatter unknown.

@@ -28,6 +28,8 @@ from softlube.experiments.nodes import Node, at, solving
 from softlube.model.liquids import NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel
+from softlube.model.summary import FunctionOfBeta
+from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener
 from softlube.steady.solve import check_accuracy
 
@@ -79,8 +81,8 @@ def radius_of(region: str | float) -> float:
     return REGIONS[region] if isinstance(region, str) else region
 
 
-@dataclass(frozen=True)
-class LoadCurve:
+@dataclass(frozen=True, repr=False)
+class LoadCurve(FunctionOfBeta):
     """Film and friction under a given load against β.
 
     Attributes
@@ -99,6 +101,12 @@ class LoadCurve:
     high: float
     region: str | float
     functions: Mapping[str, Callable[[Array], tuple[Array, Array]]]
+
+    def _range(self) -> tuple[float, float]:
+        return self.low, self.high
+
+    def _values(self, beta: Array) -> dict[str, tuple[Array, Array]]:
+        return {name: self._at(name, beta) for name in self.functions}
 
     def _at(self, name: str, beta_load: ArrayLike) -> tuple[Array, Array]:
         beta = np.asarray(beta_load, dtype=float)
@@ -149,6 +157,7 @@ def check_friction(force: str, region: str | float) -> None:
         raise InputError(f"region: expected a number of contact radii up to 15, got {region!r}")
 
 
+@watched
 def load_curve(
     problem: Problem,
     low: float,

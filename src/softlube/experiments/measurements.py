@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.errors import InputError
+from softlube.errors import InputError, printable
 from softlube.files.tables import header_names, one_of, read_table
+from softlube.model.prefixes import shown
+from softlube.model.summary import Summarised, Summary
+
+if TYPE_CHECKING:
+    import pandas
 
 Array = NDArray[np.floating]
 
 
-@dataclass(frozen=True)
-class Measurements:
+@dataclass(frozen=True, repr=False)
+class Measurements(Summarised):
     """Friction at loads and speeds, in SI.
 
     Attributes
@@ -67,6 +73,34 @@ class Measurements:
             raise InputError(f"load, speed, friction: differ in length, {', '.join(str(values.size) for values in arrays)}")
         size = arrays[0].size
         return cls(arrays[0], arrays[1], arrays[2], np.full(size, float(slide_to_roll)), np.arange(1, size + 1))
+
+    @property
+    def headline(self) -> str:
+        """How many rows there are, and where they are from."""
+        return f"Measurements: {len(self)} rows of {printable(self.source)}"
+
+    def summary(self) -> Summary:
+        """Least, median and greatest value of every column, and what was left out of the file."""
+        columns = (
+            ("load", self.load, "N"),
+            ("speed", self.speed, "m/s"),
+            ("friction", self.friction, "N"),
+            ("friction_coefficient", self.friction / self.load, ""),
+            ("slide_to_roll", self.slide_to_roll, ""),
+        )
+        rows = [
+            (name, *(shown(float(f"{value:.4g}"), unit) for value in (values.min(), np.median(values), values.max())))
+            for name, values, unit in columns
+            if values.size
+        ]
+        return Summary(self.headline, ("column", "least", "median", "greatest"), tuple(rows), self.notices)
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each measurement, units in the headers; "line" is where it stands in the file."""
+        import pandas as pd
+
+        columns = {"load [N]": self.load, "speed [m/s]": self.speed, "friction [N]": self.friction}
+        return pd.DataFrame(columns | {"slide_to_roll": self.slide_to_roll, "line": self.lines})
 
     def take(self, rows: NDArray[np.integer]) -> Measurements:
         """Some of the rows."""

@@ -3,31 +3,84 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pandas as pd
 
-from softlube.errors import InputError, ValidityWarning
+from softlube.errors import InputError, warn
 from softlube.experiments.load_curve import ACCURACY, FILMS, LoadCurve, check_friction, load_curves
 from softlube.model.motions import FIXED_BALL, Sliding
 from softlube.model.quantities import header
+from softlube.model.summary import MOST_ROWS, Row, Summary, spread
 from softlube.physical.contact import Contact
 from softlube.physical.inputs import declared
 from softlube.physical.rig import Rig
 from softlube.physical.roughness import lubrication
 from softlube.physical.units import to_si
+from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener
-
-if TYPE_CHECKING:
-    import pandas
 
 WIDE = (1e-2, 1e6)
 """Range of β_load that a curve covers, as far as it can be solved, where no speeds are given."""
 MOST_POINTS = 10_000
+SHOWN = {
+    "speed mm/s": ("entrainment_speed [m/s]", 1e3, 4),
+    "Hersey": ("hersey", 1.0, 3),
+    "β": ("beta_load", 1.0, 4),
+    "friction": ("friction_coefficient", 1.0, 4),
+    "centre nm": ("film_center [m]", 1e9, 4),
+    "least nm": ("film_min [m]", 1e9, 4),
+    "λ": ("lambda_ratio", 1.0, 3),
+}
+"""Columns that are printed: the table's, the factor to the unit in the head, and the digits."""
 
 
+class StribeckCurve(pd.DataFrame):
+    """A table with a row for every load and speed, which a notebook shows in short; see `stribeck_curve`."""
+
+    @property
+    def headline(self) -> str:
+        """How many loads and speeds there are, and their range."""
+        loads, speeds = self["load [N]"], self["entrainment_speed [m/s]"]
+        ends = f"{1e3 * speeds.min():.4g} to {1e3 * speeds.max():.4g} mm/s"
+        return f"Stribeck curve: {len(self)} rows, {loads.nunique()} loads, {ends}"
+
+    def summary(self) -> Summary:
+        """Friction coefficient and films at some speeds of each load."""
+        loads = self["load [N]"].unique()
+        most = max(MOST_ROWS // len(loads), 2)
+        head, rows = printed(self)
+        in_mN = [f"{1e3 * load:.4g}" for load in self["load [N]"]]
+        shown = [
+            (in_mN[row], *rows[row])
+            for load in loads[:MOST_ROWS]
+            for rank in [np.flatnonzero(self["load [N]"] == load)]
+            for row in rank[spread(rank.size, most)]
+        ]
+        notes = (f"{len(shown)} of {len(self)} rows",) if len(shown) < len(self) else ()
+        return Summary(self.headline, ("load mN", *head), tuple(shown), notes)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The table as a plain DataFrame."""
+        return pd.DataFrame(self)
+
+    def _repr_html_(self) -> str:
+        return self.summary()._repr_html_()
+
+
+def printed(table: pd.DataFrame) -> tuple[Row, list[Row]]:
+    """Heads and rows of a table of `stribeck_curve` as texts, without errors; "-" where nothing could be solved."""
+    columns = {head: column for head, column in SHOWN.items() if column[0] in table}
+    cells = [
+        ["-" if value != value else f"{factor * value:.{digits}g}" for value in table[name]]
+        for name, factor, digits in columns.values()
+    ]
+    return tuple(columns), list(zip(*cells, strict=True))
+
+
+@watched
 def stribeck_curve(
     contact: Contact | Rig,
     loads: object = None,
@@ -41,7 +94,7 @@ def stribeck_curve(
     region: str | float = 2.0,
     accuracy: float = ACCURACY,
     progress: Listener | None = None,
-) -> pandas.DataFrame:
+) -> StribeckCurve:
     """Film and friction against entrainment speed.
 
     Parameters
@@ -70,10 +123,10 @@ def stribeck_curve(
 
     Returns
     -------
-    pandas.DataFrame
-        A row for every load and speed: Hersey number ηUR/N, β of Eq. (30), film, friction and friction coefficient with errors
-        in SI (units in the headers), and λ = film_min/roughness with the regime if a roughness is given.  nan where the contact
-        is beyond what can be solved.
+    StribeckCurve
+        A `pandas.DataFrame` with a row for every load and speed: Hersey number ηUR/N, β of Eq. (30), film, friction and
+        friction coefficient with errors in SI (units in the headers), and λ = film_min/roughness with the regime if a
+        roughness is given.  nan where the contact is beyond what can be solved.
 
     Raises
     ------
@@ -82,8 +135,6 @@ def stribeck_curve(
     NotConvergedError
         If no speed of the range can be solved.
     """
-    import pandas as pd
-
     check_friction(force, region)
     if slide_to_roll is None:
         slide_to_roll = contact.slide_to_roll if isinstance(contact, Contact) else FIXED_BALL
@@ -125,13 +176,12 @@ def stribeck_curve(
             raise InputError(f"slowest, fastest: nothing can be solved between them at {load:g} N")
         speeds = np.geomspace(slow, fast, points)
         rows.append(_rows(each, curve, load, speeds, _inside(beta / speeds, curve), slide_to_roll, force, height))
-    table = pd.concat(rows, ignore_index=True)
-    for doubt in doubts(contact, table):
-        warnings.warn(doubt, ValidityWarning, stacklevel=2)
+    table = StribeckCurve(pd.concat(rows, ignore_index=True))
+    warn(doubts(contact, table))
     return table
 
 
-def doubts(contact: Contact | Rig, table: pandas.DataFrame) -> tuple[str, ...]:
+def doubts(contact: Contact | Rig, table: pd.DataFrame) -> tuple[str, ...]:
     """What is in doubt about a table of `stribeck_curve`: at each load, where the friction is greatest."""
     found = []
     for load, rows in table.groupby("load [N]", sort=False):
@@ -170,9 +220,7 @@ def _rows(
     slide_to_roll: float,
     force: str,
     roughness: float | None,
-) -> pandas.DataFrame:
-    import pandas as pd
-
+) -> pd.DataFrame:
     scales = contact.scales(contact.unit_height)
     friction, error = (scales["friction"][0] * each for each in curve.friction(betas, force=force, slide_to_roll=slide_to_roll))
     data: dict[str, Any] = {

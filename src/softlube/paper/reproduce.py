@@ -15,6 +15,7 @@ from softlube.errors import InputError
 from softlube.paper.figures import FIGURES, Case, FigureSpec, Statement
 from softlube.paper.figures.base import BALL_ON_RUBBER, WIDE
 from softlube.paper.report import Law, Section, law_table, write_report
+from softlube.solvers.notebook import watched
 from softlube.solvers.processes import Processes
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.solution import Solution
@@ -103,6 +104,7 @@ def _draw_and_save(key: str, solutions: Mapping[Case, Solution], folder: Path, d
     return Section(spec.key, spec.heading, spec.caption, picture, tuple(tables), tuple(drawn.statements))
 
 
+@watched
 def reproduce(
     folder: str | os.PathLike[str],
     figures: Sequence[str] = (),

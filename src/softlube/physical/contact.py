@@ -6,23 +6,24 @@ Text with units goes in, floats in SI come out; `softlube.model.inputs` reads it
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from softlube.errors import InputError, ValidityWarning
+from softlube.errors import InputError, warn
 from softlube.model.inputs import exactly_one, read
 from softlube.model.liquids.newtonian import NewtonianLaw
 from softlube.model.motions import FIXED_BALL, SteadyMotion
-from softlube.model.parts import resolve
+from softlube.model.parts import Part, resolve
+from softlube.model.prefixes import shown
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.model.substrates.half_space import HalfSpace
 from softlube.model.substrates.layer import LayerKernel
-from softlube.physical.inputs import BODIES, SLIDING_BODIES, Loading, Taking, check_names, documented
+from softlube.model.summary import Summarised, Summary
+from softlube.physical.inputs import BODIES, SLIDING_BODIES, Loading, Taking, check_names, declared, documented
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
     LARGEST_SLOPE,
@@ -35,14 +36,18 @@ from softlube.physical.materials import (
 from softlube.physical.rolling import at_slide_to_roll
 from softlube.physical.roughness import FULL_FILM, lambda_ratio, lubrication
 from softlube.solvers.budget import DEFAULT_BUDGET
+from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
+if TYPE_CHECKING:
+    import pandas
+
 
 @documented(SLIDING_BODIES, Loading)
-@dataclass(frozen=True, init=False)
-class Contact(Materials):
+@dataclass(frozen=True, init=False, repr=False)
+class Contact(Materials, Summarised):
     """A sphere that slides or rolls over a substrate with a viscous film between; either of them elastic, or both.
 
     Parts are given as objects, or by their inputs, from which they follow: a thickness makes the substrate a layer, a
@@ -104,6 +109,47 @@ class Contact(Materials):
         vars(self).update(resolve([SteadyMotion.slot], given))
         exactly_one({name: given.get(name) for name in ("load", "indentation")}, Loading.inputs)
         vars(self).update(read(Loading.inputs, given))
+
+    # --- what it shows of itself --------------------------------------------------------------------------------------
+
+    @property
+    def given(self) -> dict[str, float | str]:
+        """Its inputs in SI by their names, without those that are absent, have their default, or follow from the others."""
+        known = declared()
+        found = {name: value for name, value in self.inputs().items() if value is not None and value != known[name].default}
+        for part in vars(self).values():
+            if isinstance(part, Part) and part.selector in found:
+                others = {name: value for name, value in found.items() if name != part.selector}
+                try:
+                    if resolve([part.slot], others)[part.slot] == part:
+                        found = others
+                except InputError:  # several kinds have these inputs
+                    continue
+        return found
+
+    def __repr__(self) -> str:
+        known = declared()
+        texts = ", ".join(f"{name}={_written(value, known[name].unit)!r}" for name, value in self.given.items())
+        return f"{type(self).__name__}({texts})"
+
+    @property
+    def headline(self) -> str:
+        """What slides or rolls over what."""
+        return f"Contact: {self.indenter.kind} on {self.substrate.kind}, {self.liquid.kind} liquid, {self.motion.kind}"
+
+    def summary(self) -> Summary:
+        """Every input that is given, with its SI unit and a prefix."""
+        known = declared()
+        rows = [(name, str(_written(value, known[name].unit)), _words(name)) for name, value in self.given.items()]
+        return Summary(self.headline, ("input", "value", "words"), tuple(rows))
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each input that is given, by its name: value in SI, unit and words."""
+        import pandas as pd
+
+        known = declared()
+        rows = [(value, known[name].unit, _words(name)) for name, value in self.given.items()]
+        return pd.DataFrame(rows, index=pd.Index(list(self.given), name="input"), columns=["value", "unit", "words"])
 
     # --- from SI to the dimensionless problem -----------------------------------------------------------------------
 
@@ -169,6 +215,7 @@ class Contact(Materials):
     def _dry_radius(self, problem: Problem) -> float:
         return 0.0 if problem.height >= 0 else Regime.of(problem).edge_radius * self.unit_length
 
+    @watched
     def solve(
         self,
         *,
@@ -211,8 +258,7 @@ class Contact(Materials):
         """A dimensionless solution of `problem` with SI quantities and warnings added."""
         dimensional = self.dimensional(solution.quantities)
         doubts = self.doubts(dimensional)
-        for doubt in doubts:
-            warnings.warn(doubt, ValidityWarning, stacklevel=3)
+        warn(doubts)
         return replace(solution, contact=self, dimensional=dimensional, warnings=solution.warnings + doubts)
 
     def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
@@ -316,3 +362,13 @@ class Contact(Materials):
             If there is an input that no part has.
         """
         return cls(**{name: value for name, value in inputs.items() if value is not None})
+
+
+def _words(name: str) -> str:
+    """What an input is, without what the command line's help adds."""
+    return declared()[name].words.partition("; ")[0].removesuffix(" instead")
+
+
+def _written(value: float | str, unit: str) -> float | str:
+    """An input as it can be given again: text with a unit, a plain number, or a text."""
+    return shown(value, unit) if unit and not isinstance(value, str) else value

@@ -11,10 +11,10 @@ import numpy as np
 
 from softlube.errors import InputError
 from softlube.model.dry import DryContact
+from softlube.model.prefixes import prefixed
 from softlube.model.quantities import FIELDS, QUANTITIES
 from softlube.model.substrates import HalfSpaceKernel
 from softlube.physical.roughness import FULL_FILM
-from softlube.physical.units import prefixed
 from softlube.steady.regime import Regime
 
 if TYPE_CHECKING:

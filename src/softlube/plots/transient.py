@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from softlube.files.writing import check_destination, write_whole
-from softlube.physical.units import prefixed
+from softlube.model.prefixes import prefixed
 from softlube.plots.solution import FILM_COLOUR, PRESSURE_COLOUR, STYLE, check_format, image
 from softlube.transient.sliding.result import Slide
 from softlube.transient.squeeze.result import Squeeze

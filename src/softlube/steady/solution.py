@@ -13,11 +13,13 @@ from softlube.discretization.fields import Fields
 from softlube.errors import InputError
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity
+from softlube.model.summary import QUANTITY_COLUMNS, Summarised, Summary, in_words, quantities_frame, steady_rows, with_units
 from softlube.steady.level import Level
 
 if TYPE_CHECKING:
     import os
 
+    import pandas
     import xarray
     from matplotlib.figure import Figure
 
@@ -64,8 +66,8 @@ class PhysicalContact(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class Solution:
+@dataclass(frozen=True, repr=False)
+class Solution(Summarised):
     """What `softlube.solve` returns.
 
     Quantities are attributes: ``solution.film_min`` is a float with an ``.error``; ``solution.quantities`` has them all, and
@@ -148,9 +150,23 @@ class Solution:
         return sorted({*super().__dir__(), *self.quantities})
 
     def __repr__(self) -> str:
-        shown = " ".join(f"{name}={self.quantities[name]}" for name in ("film_center", "film_min", "friction_total"))
-        doubts = "".join(f"\n  Warning: {doubt}." for doubt in self.warnings)
-        return f"<Solution beta={self.beta:.6g} {shown}>{doubts}"
+        return super().__repr__() + "".join(f"\n  Warning: {doubt}." for doubt in self.warnings)
+
+    @property
+    def headline(self) -> str:
+        """β and the quantities that are asked for most, in SI if the input was physical."""
+        names = ("film_center", "film_min", "friction_coefficient" if self.dimensional else "friction_total")
+        values = self.dimensional or self.quantities
+        return f"Solution: beta {self.beta:.6g}, " + ", ".join(in_words(name, values[name]) for name in names)
+
+    def summary(self) -> Summary:
+        """Every quantity with its error, as ``softlube solve`` prints them, and the warnings."""
+        rows = steady_rows(self.problem, self.quantities, self.dimensional)
+        return Summary(self.headline, QUANTITY_COLUMNS, tuple(rows), tuple(f"Warning: {doubt}" for doubt in self.warnings))
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each quantity, by its name: value, error, unit and words; in SI if the input was physical."""
+        return quantities_frame(with_units(self.quantities, self.dimensional))
 
     def friction_within(self, cutoff: float) -> float:
         """Normalised friction force over r ≤ cutoff (normalised too), Eq. (27a)."""

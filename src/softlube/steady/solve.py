@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import warnings
-
 import numpy as np
 
-from softlube.errors import InputError, NotConvergedError, ValidityWarning
+from softlube.errors import InputError, NotConvergedError, warn
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.solvers import budget as time_budget
 from softlube.solvers.budget import DEFAULT_BUDGET
+from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener
 from softlube.solvers.threads import one_thread
 from softlube.steady.ladder import LARGEST_ACCURACY, solve_on_ladder
@@ -31,6 +30,7 @@ THICKEST = 55.0
 """ln η/η₀ under a dry contact's largest pressure up to which the continuation in the viscosity is known to arrive."""
 
 
+@watched
 def solve(
     beta: float | None = None,
     *,
@@ -133,8 +133,7 @@ def solve_problem(
                 f"{name} = {problem.parameter:.4g}: no solution within {budget:g} s of processor time. Try {advice}"
                 f"budget={LOOSER * budget:g}."
             ) from None
-        for doubt in solution.warnings:
-            warnings.warn(doubt, ValidityWarning, stacklevel=3)
+        warn(solution.warnings)
         return solution
     if method not in ("relaxation", "cartesian"):
         raise InputError(f"method: expected 'newton', 'relaxation' or 'cartesian', got {method!r}")

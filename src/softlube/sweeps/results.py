@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from softlube.errors import InputError
+from softlube.errors import InputError, printable, warn
 from softlube.files.writing import check_destination, write_whole
+from softlube.model.summary import Summarised, Summary, spread
 from softlube.physical.inputs import declared
 from softlube.sweeps.plan import Plan
 from softlube.sweeps.tasks import Outcome
@@ -18,10 +20,14 @@ if TYPE_CHECKING:
     import pandas
 
 FORMATS = (".csv", ".parquet")
+SHOWN = ("film_center", "film_min", "friction_coefficient")
+"""Quantities that a summary shows."""
+MOST_VARIED = 4
+"""Inputs that vary, which a summary shows."""
 
 
-@dataclass(frozen=True)
-class Sweep:
+@dataclass(frozen=True, repr=False)
+class Sweep(Summarised):
     """A finished sweep.
 
     Attributes
@@ -51,7 +57,37 @@ class Sweep:
     @property
     def table(self) -> pandas.DataFrame:
         """One row a case: inputs, status, quantities and their errors, units in the headers."""
+        return self._table.copy()
+
+    @cached_property
+    def _table(self) -> pandas.DataFrame:
         return to_table(self)
+
+    @property
+    def n_warned(self) -> int:
+        """Cases with warnings."""
+        return int((self._table["warnings"].fillna("") != "").sum()) if "warnings" in self._table else 0
+
+    @property
+    def headline(self) -> str:
+        """How many cases there are, and how many of them failed."""
+        return f"Sweep: {len(self.keys)} cases, {self.n_failed} failed"
+
+    def summary(self) -> Summary:
+        """Inputs that vary and the films of some of the cases, equally far apart, with the first and the last."""
+        table = self._table
+        columns = {str(column).partition(" [")[0]: str(column) for column in table.columns}
+        varied = [name for name, values in self.plan.inputs().items() if isinstance(values, list)]
+        names = ["case", *varied[:MOST_VARIED], "status", *(name for name in SHOWN if name in columns)]
+        shown = spread(len(table))
+        rows = [tuple(map(_cell, line)) for line in table[[columns[name] for name in names]].iloc[shown].to_numpy().tolist()]
+        notes = [f"{len(shown)} of {len(table)} cases"] if len(shown) < len(table) else []
+        notes += [_warned(self.n_warned, len(table))] if self.n_warned else []
+        return Summary(self.headline, tuple(columns[name] for name in names), tuple(rows), tuple(notes))
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """`table`."""
+        return self.table
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the table as CSV or Parquet, by the file's ending, whole or not at all."""
@@ -94,6 +130,22 @@ def check_folder(name: str, path: str | os.PathLike[str]) -> Path:
         raise InputError(f"{name}: {os.fspath(path)!r} is a file; expected the name of a folder")
     check_destination(name, path / "case-00001.nc" if path.is_dir() else path)
     return path
+
+
+def warn_of(result: Sweep) -> None:
+    """Say in one warning how many cases have warnings."""
+    if result.n_warned:
+        warn([_warned(result.n_warned, len(result.keys))])
+
+
+def _warned(count: int, total: int) -> str:
+    return f"{count} of {total} cases {'has' if count == 1 else 'have'} warnings: see the column warnings of the table"
+
+
+def _cell(value: object) -> str:
+    if isinstance(value, float):
+        return "none" if value != value else f"{value:.5g}"
+    return printable(value)
 
 
 def to_table(result: Sweep) -> pandas.DataFrame:

@@ -10,11 +10,12 @@ from concurrent.futures import FIRST_COMPLETED, Future, wait
 from typing import Any
 
 from softlube.errors import InputError
+from softlube.solvers.notebook import watched
 from softlube.solvers.processes import Stretches, WorkerDied
 from softlube.solvers.progress import Listener, Progress
 from softlube.sweeps.executors import Dask, Executor, Local
 from softlube.sweeps.plan import Plan, make_plan, read_plan
-from softlube.sweeps.results import Sweep
+from softlube.sweeps.results import Sweep, warn_of
 from softlube.sweeps.store import LEASE, Store
 from softlube.sweeps.tasks import Outcome, Task
 from softlube.sweeps.work import ROOMS, content_key, solver_version
@@ -23,6 +24,7 @@ BEAT = 0.5
 """Seconds after which the loop looks up at the latest: at workers that came, claims to renew, the other processes' results."""
 
 
+@watched
 def sweep(
     plan: Plan | Mapping[str, Any] | str | os.PathLike[str],
     *,
@@ -94,9 +96,11 @@ def sweep(
             run = _Run(plan.accuracy, tasks, kept, fields, retry_failed, progress)
             run.go(executor)
             foreign = kept.count_foreign({solver_version(kind) for kind in ROOMS})
-            return Sweep(plan, tuple(keys), kept.outcomes(tasks, fields=fields), run.found, foreign)
+            result = Sweep(plan, tuple(keys), kept.outcomes(tasks, fields=fields), run.found, foreign)
     finally:
         executor.close()
+    warn_of(result)
+    return result
 
 
 class _Run:

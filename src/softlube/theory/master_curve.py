@@ -30,6 +30,7 @@ from softlube.model.liquids import NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY, Quantity
 from softlube.model.substrates import HalfSpaceKernel
+from softlube.model.summary import FunctionOfBeta
 from softlube.theory import limits
 from softlube.theory.scaling import asymptote
 
@@ -42,8 +43,8 @@ CORRECTION = -0.4
 """Power of β with which what a law leaves out falls."""
 
 
-@dataclass(frozen=True)
-class Curve:
+@dataclass(frozen=True, repr=False)
+class Curve(FunctionOfBeta):
     """One quantity as a function of β, in one normalisation and under one cavitation condition.
 
     Attributes
@@ -77,6 +78,12 @@ class Curve:
         missed = np.abs(coarse(x) - value)
         between = np.convolve(np.where(missed < SMOOTH, missed / 16, missed), np.ones(3), mode="same")
         return cls(name, CubicSpline(x, value), CubicSpline(x, np.log(np.maximum(error, 1e-12) + between)), law)
+
+    def _range(self) -> tuple[float, float]:
+        return float(np.exp(self.spline.x[0])), float(np.exp(self.spline.x[-1]))
+
+    def _values(self, beta: Array) -> dict[str, tuple[Array, Array]]:
+        return {self.name: self(beta)}
 
     def __call__(self, beta: ArrayLike) -> tuple[Array, Array]:
         """Value and error at β."""

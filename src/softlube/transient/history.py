@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.model.quantities import QUANTITIES, Quantity
+from softlube.model.quantities import QUANTITIES, Quantity, header
+from softlube.model.summary import QUANTITY_COLUMNS, Summarised, Summary, in_words, rows_at_the_end
 from softlube.transient.extremes import Extremes
 from softlube.transient.motion import Motion
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.figure import Figure
     from xarray import Dataset
 
@@ -87,8 +89,8 @@ class PhysicalInput(Protocol):
         ...
 
 
-@dataclass(frozen=True, kw_only=True)
-class Transient:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Transient(Summarised):
     """A film that changes with time.
 
     Attributes, histories, fields and errors are in SI if the input was physical, and normalised with the unit of height of the
@@ -193,6 +195,40 @@ class Transient:
     def warnings(self) -> tuple[str, ...]:
         """Doubts about the physics; none for a normalised motion."""
         return () if self.setup is None else self.setup.doubts(self.extremes)
+
+    @property
+    def why_it_ended(self) -> str:
+        """Why the integration ended, in words."""
+        return "the film reached its limit" if self.run.ended_by == "film_limit" else "the end of the motion"
+
+    @property
+    def headline(self) -> str:
+        """When and why it ended, and the films then."""
+        films = ", ".join(in_words(name, self.final[name]) for name in ("film_center", "film_min"))
+        end = f"{self.time[-1]:.6g} {self.scale('time')[1]}".strip()
+        return f"{type(self).__name__}: after {end} ({self.why_it_ended}) {films}"
+
+    def summary(self) -> Summary:
+        """The last value of each history with its error, and the warnings.
+
+        Extremes of a pressure that is next to nothing are left out: far out it is, and so is the least pressure where the
+        liquid is pressed out everywhere.
+        """
+        least = 1e-3 * abs(float(self.final.get("pressure_center", 0.0)))
+        kept = {name: q for name, q in self.final.items() if name not in ("pressure_max", "pressure_min") or abs(q) > least}
+        notes = tuple(f"Warning: {doubt}" for doubt in self.warnings)
+        return Summary(self.headline, QUANTITY_COLUMNS, tuple(rows_at_the_end(kept)), notes)
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each time step: the time, and every history with its error; units in the headers."""
+        import pandas as pd
+
+        columns = {header("time", self.scale("time")[1]): self.time}
+        for name, values in self.histories.items():
+            unit = self.scale(QUANTITIES[name].dimension)[1]
+            columns[header(name, unit)] = values
+            columns[header(name, unit, error=True)] = self.errors[name]
+        return pd.DataFrame(columns)
 
     @property
     def numerics(self) -> dict[str, Any]:

@@ -37,7 +37,7 @@ Frictions are over r ≤ 2a.  Where the height is prescribed a = √(R × initia
 contact on the substrate under the largest load."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Slide(Transient):
     """A start of sliding: film, pressure and friction as functions of the time since a sphere began to slide.
 

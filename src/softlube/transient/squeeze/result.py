@@ -32,7 +32,7 @@ JUDGED = ("film_center", "film_min")
 """Histories whose relative errors decide whether the grid is fine enough."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Squeeze(Transient):
     """A squeeze film: film, pressure and load as functions of the time while a sphere comes down or is pulled away.
 
