@@ -103,8 +103,9 @@ def test_a_sweep_shows_itself_and_says_once_how_many_cases_have_doubts(swept):
     changed = result.table
     changed.loc[0, "status"] = "changed"
     assert result.to_dataframe()["status"][0] == "done"
+    height = float(np.median(result.table["film_min [m]"])) / 3
     with pytest.warns(softlube.ValidityWarning, match="^2 of 4 cases have warnings: see the column warnings") as heard:
-        rough = softlube.sweep(BALL | {"roughness": float(np.median(result.table["film_min [m]"])) / 3}, accuracy=ROUGH, store=store)
+        rough = softlube.sweep(BALL | {"roughness": height}, accuracy=ROUGH, store=store)
     assert len(heard) == 1
     assert [bool(text) for text in rough.table["warnings"]].count(True) == 2
     many = softlube.sweep({"beta": [10.0**k for k in range(1, 5)] * 10}, accuracy=0.1, workers=1)
