@@ -44,6 +44,22 @@ from softlube.steady.solution import Solution
 if TYPE_CHECKING:
     import pandas
 
+TOO_WIDE = (
+    "{name}: makes a contact of radius {share:.2g} R, wider than the sphere; the model is for contacts up to about {largest:g} R. "
+    "Check the units of radius, modulus and {name}"
+)
+WIDE = "the {what} {share:.2g} R: beyond {largest:g} R linear elasticity and the parabolic sphere are in doubt"
+ROUGH = (
+    "the minimum film is {ratio:.2g} times the roughness ({lubrication} lubrication, full film from {full:g} on): asperities "
+    "touch, which the model leaves out"
+)
+INERTIA = "the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
+LIMITING_STRESS = (
+    "the mean shear stress, {stress:.2g} Pa, is {share:.2g} times the mean pressure: above {largest:g} no liquid stays Newtonian, "
+    "it shears at a limiting stress instead; do not trust the friction"
+)
+"""What is said of a contact that is refused, and of doubts; the calculator's page says it, too."""
+
 
 @documented(SLIDING_BODIES, Loading)
 @dataclass(frozen=True, init=False, repr=False)
@@ -201,10 +217,7 @@ class Contact(Materials, Summarised):
             problem = Problem(beta=beta, cavitation=self.cavitation, height=sign, **models)
         if (radius := self._dry_radius(problem)) > self.bearing_radius:
             name = "load" if self.load is not None else "indentation"
-            raise InputError(
-                f"{name}: makes a contact of radius {radius / self.bearing_radius:.2g} R, wider than the sphere; the model is "
-                f"for contacts up to about {LARGEST_SLOPE} R. Check the units of radius, modulus and {name}"
-            )
+            raise InputError(TOO_WIDE.format(name=name, share=radius / self.bearing_radius, largest=LARGEST_SLOPE))
         return problem
 
     @property
@@ -299,19 +312,14 @@ class Contact(Materials, Summarised):
         radius = reach if lifted else float(dimensional.get("contact_radius", self.unit_length))
         doubts = self.width_doubt(radius, "pressure reaches" if lifted else "contact radius is")
         if self.roughness is not None and (ratio := float(dimensional["lambda_ratio"])) < FULL_FILM:
-            doubts.append(
-                f"the minimum film is {ratio:.2g} times the roughness ({lubrication(ratio)} lubrication, full film from "
-                f"{FULL_FILM:g} on): asperities touch, which the model leaves out"
-            )
+            doubts.append(ROUGH.format(ratio=ratio, lubrication=lubrication(ratio), full=FULL_FILM))
         shear = float(dimensional["friction_contact" if self.slide_to_roll == FIXED_BALL else "friction_domain"])
         if not lifted:
             doubts += self.traction_doubt(shear, float(dimensional["load_contact"]), radius)
         center = float(dimensional["film_center"])
         reynolds = self.density * self.speed_sum * center**2 / (self.viscosity * radius)
         if reynolds > LARGEST_FILM_REYNOLDS:
-            doubts.append(
-                f"the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
-            )
+            doubts.append(INERTIA.format(reynolds=reynolds))
         doubts += self.thickening_doubt(float(dimensional["pressure_max"]))
         substrate = self.substrate_for(self.unit_height)
         if isinstance(substrate, LayerKernel) and float(dimensional["indentation"]) > 0:  # else no dry contact to compare
@@ -323,17 +331,14 @@ class Contact(Materials, Summarised):
         share = radius / self.bearing_radius
         if not share > LARGEST_SLOPE:
             return []
-        return [f"the {what} {share:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity and the parabolic sphere are in doubt"]
+        return [WIDE.format(what=what, share=share, largest=LARGEST_SLOPE)]
 
     def traction_doubt(self, friction: float, load: float, radius: float) -> list[str]:
         """A warning if no liquid bears the shear stress of a friction and a load [N] within a radius [m]."""
         stress, share = abs(friction) / (math.pi * radius**2), abs(friction) / load
         if not (share > LARGEST_TRACTION and stress > NEWTONIAN_STRESS):
             return []
-        return [
-            f"the mean shear stress, {stress:.2g} Pa, is {share:.2g} times the mean pressure: above {LARGEST_TRACTION} no "
-            "liquid stays Newtonian, it shears at a limiting stress instead; do not trust the friction"
-        ]
+        return [LIMITING_STRESS.format(stress=stress, share=share, largest=LARGEST_TRACTION)]
 
     def _thickness_effect(self, substrate: LayerKernel, dimensional: Mapping[str, Quantity]) -> list[str]:
         """What the finite thickness of the substrate changes, computed."""

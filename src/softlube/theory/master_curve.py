@@ -42,6 +42,9 @@ SMOOTH = 3e-3
 CORRECTION = -0.4
 """Power of β with which what a law leaves out falls."""
 
+NO_GAPS = "indentation: the master curve has no prescribed gaps; solve the problem instead"
+"""Why a sphere that is held at or above the undeformed surface is refused."""
+
 
 @dataclass(frozen=True, repr=False)
 class Curve(FunctionOfBeta):
@@ -228,7 +231,7 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
             "solve the problem instead"
         )
     if problem.height != -1:
-        raise InputError("indentation: the master curve has no prescribed gaps; solve the problem instead")
+        raise InputError(NO_GAPS)
     given: dict[str, Any] = {"beta_load" if problem.load_controlled else "beta": problem.parameter}
     exact = ("load", limits.HERTZ_LOAD) if problem.load_controlled else ("height", -1.0)
     known = available("load" if problem.load_controlled else "indentation")
