@@ -35,7 +35,7 @@ LAYER, WIDER, REACH = (1.0, -0.4), 0.18, (2.0, 8.0)
 """The places: width of the layers (1 + β_load)^−0.4 as in `softlube.theory.limits`; growth of the pressure's width with the
 film over the indentation, as the rigid sphere's largest pressure is at 0.26 √(2h₀); and the half-width of the picture, twice
 the contact radius of a Hertz contact and ten times the width under a sphere that floats."""
-FILM_ERROR, PRESSURE_ERROR = 1e-2, 5e-3
+FILM_ERROR, PRESSURE_ERROR = 5e-3, 5e-3
 """Largest error of the film, over itself, and of the pressure, over p_max; tests/theory/test_centre_line.py measures them."""
 
 
