@@ -41,6 +41,7 @@ app.command("softlube.cli.sweep:sweep", name="sweep", help="Solve many contacts 
 app.command("softlube.cli.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")
 app.command("softlube.cli.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")
 app.command("softlube.cli.curve:curve", name="curve", help="Print or draw any quantity as a function of β.")
+app.command("softlube.cli.calculator:calculator", name="calculator", help="Write a calculator that runs in any browser.")
 app.command("softlube.cli.cache:cache", name="cache", help="Show or clear what is kept of computed curves.")
 app.command(
     "softlube.cli.reproduce:reproduce",

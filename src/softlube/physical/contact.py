@@ -45,8 +45,8 @@ if TYPE_CHECKING:
     import pandas
 
 TOO_WIDE = (
-    "{name}: makes a contact of radius {share:.2g} R, wider than the sphere; the model is for contacts up to about {largest:g} R. "
-    "Check the units of radius, modulus and {name}"
+    "{name}: makes a contact of radius {share:.2g} R, wider than the sphere; the model is for contacts up to about {largest:g} "
+    "R. Check the units of radius, modulus and {name}"
 )
 WIDE = "the {what} {share:.2g} R: beyond {largest:g} R linear elasticity and the parabolic sphere are in doubt"
 ROUGH = (
@@ -55,8 +55,8 @@ ROUGH = (
 )
 INERTIA = "the film's Reynolds number rho v u^2/(eta a) is {reynolds:.2g}, not small: inertia is neglected here"
 LIMITING_STRESS = (
-    "the mean shear stress, {stress:.2g} Pa, is {share:.2g} times the mean pressure: above {largest:g} no liquid stays Newtonian, "
-    "it shears at a limiting stress instead; do not trust the friction"
+    "the mean shear stress, {stress:.2g} Pa, is {share:.2g} times the mean pressure: above {largest:g} no liquid stays "
+    "Newtonian, it shears at a limiting stress instead; do not trust the friction"
 )
 """What is said of a contact that is refused, and of doubts; the calculator's page says it, too."""
 

@@ -28,7 +28,6 @@ LARGEST_TRACTION, NEWTONIAN_STRESS = 0.1, 1e6
 """Mean shear stress over mean pressure that no liquid exceeds under high pressure, and shear stress [Pa] below which the bound
 does not matter: limiting stresses are 4 to 10 % of the pressure (Bair & Winer 1979), Eyring stresses some MPa (Johnson &
 Tevaarwerk 1977)."""
-NO_NUMBER = "the inputs give beta = {beta:g}, which is no number to compute with; check their units"
 SMALLEST_RISE = 0.01
 LARGEST_LAYER_EFFECT = 0.05
 """Relative change by the finite thickness that is spoken of."""
@@ -137,7 +136,7 @@ class Materials:
         except (ZeroDivisionError, OverflowError):
             beta = math.inf
         if not (math.isfinite(beta) and beta > 0):
-            raise InputError(NO_NUMBER.format(beta=beta))
+            raise InputError(f"the inputs give beta = {beta:g}, which is no number to compute with; check their units")
         return beta
 
     def substrate_for(self, height: float) -> Substrate:

@@ -2,7 +2,7 @@
 
     >>> from softlube.theory.centre_line import profiles
     >>> line = profiles(1e4)
-    >>> bool(abs(line.x[line.film.argmin()] + 0.97) < 0.01)  # the constriction at the outlet
+    >>> bool(-1 < line.x[line.film.argmin()] < -0.9)  # the constriction at the outlet
     True
 
 Behind it is a table of solutions (made by benchmarks/centre_line.py) from β_load = 10⁻⁴ to 10⁸, four to the decade, and

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from softlube.model import inputs as reading
 from softlube.model import units
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE
-from softlube.model.inputs import REQUIRED, Input
+from softlube.model.inputs import Input
 from softlube.model.problem import Cavitation
 from softlube.model.quantities import DERIVED, STEADY, Definition
 from softlube.physical import contact, materials, roughness
@@ -63,8 +63,8 @@ REGIMES = (
     ),
     (
         "between rigid and elastic",
-        "The sphere dips in, but the film is not yet thin beside the indentation: neither the rigid sphere's formulas nor Hertz's "
-        "pressure hold.",
+        "The sphere dips in, but the film is not yet thin beside the indentation: neither the rigid sphere's formulas nor "
+        "Hertz's pressure hold.",
     ),
     (
         "isoviscous-elastic (soft EHL)",
@@ -105,7 +105,6 @@ def exported() -> dict[str, Any]:
         },
         "lambda": {"full": roughness.FULL_FILM, "mixed": roughness.MIXED, "words": roughness.REGIMES},
         "words": {
-            "no_number": materials.NO_NUMBER,
             "no_gaps": master_curve.NO_GAPS,
             "too_wide": contact.TOO_WIDE,
             "wide": contact.WIDE,

@@ -84,7 +84,6 @@ export class Calculator {
       : Math.abs(indentation) || Math.sqrt((1.5 * radius * viscosity * speed) / (Math.PI * modulus));
     const length = Math.sqrt(radius * height);
     const beta = ((2 / 3) * (height ** 2 / radius) * Math.PI * modulus) / (viscosity * speed);
-    if (!(Number.isFinite(beta) && beta > 0)) throw new InputError(filled(this.words.no_number, { beta }));
     const touching = byLoad || indentation > 0;
     if (touching && length > radius) {
       const name = byLoad ? "load" : "indentation";
