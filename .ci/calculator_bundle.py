@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-PAGE = Path(__file__).parents[1] / "src" / "softlube" / "plots" / "calculator" / "page"
+PAGE = Path(__file__).parents[1] / "src" / "softlube" / "plots" / "calculator" / "web"
 BUNDLE = ("bundle.js", "bundle.css")
 
 

@@ -76,11 +76,11 @@ REGIMES = (
 
 def exported() -> dict[str, Any]:
     """Everything that the page computes with, ready for JSON."""
-    from softlube import __version__
+    from importlib.metadata import version
 
     declared = names_of(SLIDING_BODIES, Loading)
     return {
-        "version": __version__,
+        "version": version("softlube"),
         "inputs": {name: _input(declared[name]) for name in INPUTS},
         "first": {name: declared[name].example for name in FIRST},
         "units": {

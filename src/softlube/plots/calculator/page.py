@@ -9,7 +9,7 @@ from softlube.model.inputs import Input
 from softlube.physical.inputs import SLIDING_BODIES, Loading, names_of
 from softlube.plots.calculator.export import exported
 
-FOLDER = "page"
+FOLDER = "web"
 
 
 def page() -> str:

@@ -114,16 +114,21 @@ function regime(contact) {
   return `${name[0].toUpperCase()}${name.slice(1)}. ${sentence}${thin}${rough}${beyond}`;
 }
 
-/** What a screen reader is told once the input rests. */
-function announce(contact, refusal) {
+/** Tell a screen reader something, after a while; what was to be told before is not told any more. */
+function say(what, delay) {
   clearTimeout(quiet);
-  quiet = setTimeout(() => {
+  quiet = setTimeout(() => (element("announcement").textContent = what()), delay);
+}
+
+/** Tell the result once the input rests. */
+function announce(contact, refusal) {
+  say(() => {
     const said = HEADLINE.map((name) => {
       const row = rows.find((each) => each.name === name);
       const [value, , unit] = contact ? resultOf(contact, row) : ["", "", ""];
       return `${row.words} ${typeset(value)} ${unit}`.trim();
     });
-    element("announcement").textContent = contact ? `${said.join(", ")}.` : `Refused. ${refusal}`;
+    return contact ? `${said.join(", ")}.` : `Refused. ${refusal}`;
   }, QUIET);
 }
 
@@ -217,7 +222,7 @@ for (const button of document.querySelectorAll("[data-copy]")) {
     const words = button.textContent;
     if (words === "Copied") return;
     button.textContent = "Copied";
-    element("announcement").textContent = "Copied.";
+    say(() => `Copied: ${button.dataset.copy}.`, 0);
     setTimeout(() => (button.textContent = words), 1500);
   });
 }
