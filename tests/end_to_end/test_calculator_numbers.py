@@ -7,8 +7,8 @@ import re
 import pytest
 
 from softlube.cli.main import main
-from softlube.cli.table import engineering
 from softlube.errors import InputError
+from softlube.model.summary import engineering
 from softlube.model.units import names, read_number, read_quantity
 from softlube.physical.contact import Contact
 from softlube.plots.calculator.export import exported

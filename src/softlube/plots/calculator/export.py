@@ -18,11 +18,11 @@ from softlube.model import inputs as reading
 from softlube.model import units
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE
 from softlube.model.inputs import Input
+from softlube.model.prefixes import PREFIXES
 from softlube.model.problem import Cavitation
 from softlube.model.quantities import DERIVED, STEADY, Definition
 from softlube.physical import contact, materials, roughness
 from softlube.physical.inputs import SLIDING_BODIES, Loading, names_of
-from softlube.physical.units import PREFIXES
 from softlube.steady.regime import TOUCHING
 from softlube.theory import centre_line, master_curve
 from softlube.theory.scaling import PAPER_RANGE
