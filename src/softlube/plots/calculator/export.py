@@ -23,7 +23,6 @@ from softlube.model.problem import Cavitation
 from softlube.model.quantities import DERIVED, STEADY, Definition
 from softlube.physical import contact, materials, roughness
 from softlube.physical.inputs import SLIDING_BODIES, Loading, names_of
-from softlube.steady.regime import TOUCHING
 from softlube.theory import centre_line, master_curve
 from softlube.theory.scaling import PAPER_RANGE
 
@@ -58,8 +57,8 @@ FIRST = ("radius", "young_modulus", "viscosity", "speed", "load")
 REGIMES = (
     (
         "isoviscous-rigid",
-        "The liquid lifts the sphere: its lowest point stays above the undeformed surface, and the film is thicker than the "
-        "substrate yields.",
+        "The liquid lifts the sphere: its lowest point stays above the undeformed surface, and the substrate yields less than "
+        "the film is thick.",
     ),
     (
         "between rigid and elastic",
@@ -72,6 +71,8 @@ REGIMES = (
     ),
 )
 """Regimes of lubrication by the lowest point's height and by β_load, below and above `PAPER_RANGE`'s first β."""
+WORTH_SAYING = 1.1
+"""Rise of an oil's viscosity at the maximum pressure from which on the page says that its liquid does not thicken."""
 
 
 def exported() -> dict[str, Any]:
@@ -79,6 +80,7 @@ def exported() -> dict[str, Any]:
     from importlib.metadata import version
 
     declared = names_of(SLIDING_BODIES, Loading)
+    thickening = declared["pressure_viscosity"]
     return {
         "version": version("softlube"),
         "inputs": {name: _input(declared[name]) for name in INPUTS},
@@ -112,7 +114,12 @@ def exported() -> dict[str, Any]:
             "inertia": contact.INERTIA,
             "limiting_stress": contact.LIMITING_STRESS,
         },
-        "regimes": {"words": REGIMES, "touching": TOUCHING, "elastic": PAPER_RANGE[0]},
+        "regimes": {"words": REGIMES, "elastic": PAPER_RANGE[0]},
+        "thickening": {
+            "coefficient": thickening.read(thickening.example),
+            "example": thickening.example,
+            "worth": WORTH_SAYING,
+        },
         "curve": {
             "correction": master_curve.CORRECTION,
             "families": {

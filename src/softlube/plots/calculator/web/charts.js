@@ -8,8 +8,9 @@ const colour = (name) => getComputedStyle(document.documentElement).getPropertyV
 
 /** A picture in a box: made once, given new data, drawn anew when the box or the colours change. */
 export class Chart {
-  constructor(box, { x, y, series, spline = false, shade }) {
+  constructor(box, { x, y, series, spline = false, shade, tell }) {
     this.box = box;
+    this.told = box.parentElement.querySelector(".told");
     this.shade = shade ?? (() => []);
     this.xAxis = x;
     this.yAxis = y;
@@ -30,16 +31,19 @@ export class Chart {
       {
         width: this.width(),
         height: this.height(),
-        cursor: { show: false },
+        cursor: { y: false, drag: { x: false, y: false }, points: { size: 7 } },
         legend: { show: false },
         padding: [10, 12, 0, 0],
         scales: {
           x: { time: false, distr: x.log ? 3 : 1, range: (_, low, high) => x.range?.() ?? [low, high] },
           y: { distr: y.log ? 3 : 1, range: (_, low, high) => (y.log ? logRange(low, high) : (y.range?.() ?? [low, high])) },
         },
-        axes: [axis(x, 34), axis(y, 54)],
+        axes: [axis(x, 34), axis(y, 60)],
         series: [{}, ...series.map((each) => this.series(each, paths))],
-        hooks: { drawClear: [(plot) => this.drawShade(plot)] },
+        hooks: {
+          drawClear: [(plot) => this.drawShade(plot)],
+          setCursor: [({ cursor }) => (this.told.textContent = cursor.idx === null ? "" : tell(cursor.idx))],
+        },
       },
       [[], ...series.map(() => [])],
       box,
@@ -49,7 +53,7 @@ export class Chart {
 
   series({ ink, dash, width = 2, point = false }, paths) {
     const stroke = () => colour(ink);
-    if (!point) return { stroke, dash, width, paths, points: { show: false } };
+    if (!point) return { stroke, dash, width, paths, pxAlign: 0, points: { show: false } };
     const ring = { show: true, size: 11, width: 2, stroke: () => colour("paper"), fill: stroke };
     return { stroke, width: 0, paths: () => null, points: ring };
   }
@@ -118,7 +122,8 @@ function logTicks({ prefixes, unit, room }) {
 /** A power of ten with its unit, or as a plain number or a power where it has none. */
 function power(prefixes, value, unit) {
   const exponent = Math.round(Math.log10(value));
-  if (!unit) return exponent >= -3 && exponent <= 3 ? general(value) : typeset(`e${exponent < 0 ? "-" : "+"}${Math.abs(exponent)}`).replace(" × ", "");
+  if (!unit && Math.abs(exponent) <= 3) return general(value);
+  if (!unit) return typeset(`1e${exponent < 0 ? "-" : "+"}${Math.abs(exponent)}`).replace("1 × ", "");
   const [factor, name] = axisUnit(prefixes, value, unit);
-  return `${Math.round(value * factor)} ${name}`;
+  return `${general(value * factor, 3)} ${name}`;
 }

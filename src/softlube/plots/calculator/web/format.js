@@ -48,6 +48,6 @@ export function typeset(text) {
   const raised = (digits) => [...digits].map((each) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(each)]).join("");
   return text
     .replace(/e([+-])0*(\d+)/g, (_, sign, digits) => ` × 10${raised((sign === "-" ? "-" : "") + digits)}`)
-    .replace(/\^(\d)/g, (_, digit) => raised(digit))
+    .replace(/\^(-?\d)/g, (_, power) => raised(power))
     .replace(/-(?=\d)/g, "−");
 }

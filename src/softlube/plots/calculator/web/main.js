@@ -84,6 +84,8 @@ function showNumbers(contact) {
     element(`row-${row.name}`).hidden = row.name === "lambda_ratio" && Boolean(contact) && contact.inputs.roughness === null;
     if (HEADLINE.includes(row.name)) setResult(`card-${row.name}`, result);
   }
+  element("summary").textContent = contact ? summary(contact) : "Refused: see the field above.";
+  element("thickening").textContent = contact ? thickening(contact) : "";
   element("beta").textContent = contact
     ? `${contact.byLoad ? "β (by the load)" : "β"} = ${typeset(general(contact.beta, 5))}`
     : "";
@@ -99,6 +101,15 @@ function showNumbers(contact) {
   element("regime").textContent = contact ? regime(contact) : "";
 }
 
+/** The headline in a line, for the foot of a telephone's screen while the sliders are in view. */
+function summary(contact) {
+  const texts = HEADLINE.map((name) => {
+    const { value, unit } = contact.dimensional[name];
+    return typeset(shown(calculator.prefixes, value, unit, 3));
+  });
+  return `u ${texts[0]} · min ${texts[1]} · F/N ${texts[2]} · p ${texts[3]}`;
+}
+
 /** The regime of lubrication, in words. */
 function regime(contact) {
   const { words, elastic } = calculator.regimes;
@@ -112,6 +123,18 @@ function regime(contact) {
   const outside = contact.beta < first || contact.beta > last;
   const beyond = outside ? " This β is beyond the solved table: the values follow from limiting laws, with wider errors." : "";
   return `${name[0].toUpperCase()}${name.slice(1)}. ${sentence}${thin}${rough}${beyond}`;
+}
+
+/** How much a liquid that thickens under pressure would thicken here: the page's liquid does not. */
+function thickening(contact) {
+  const { coefficient, example, worth } = calculator.thickening;
+  const rise = Math.exp(coefficient * contact.dimensional.pressure_max.value);
+  if (rise < worth) return "";
+  const times = rise > 100 ? "more than a hundred times" : `${typeset(general(rise, 2))} times`;
+  return (
+    "The viscosity is taken as constant. At the maximum pressure that of an oil with a pressure-viscosity coefficient of " +
+    `${typeset(example)} is ${times} as high; the command and Python take such a coefficient.`
+  );
 }
 
 /** Tell a screen reader something, after a while; what was to be told before is not told any more. */
@@ -144,6 +167,7 @@ function update(typed) {
   showFields(typed);
   element("refusal").hidden = !refusal;
   element("refusal").textContent = refusal;
+  document.body.classList.toggle("refused", !contact);
   showNumbers(contact);
   pictures.draw(contact);
   for (const button of document.querySelectorAll("[data-copy]")) button.disabled = !contact;
@@ -171,14 +195,15 @@ function choose(pair, chosen) {
   given[chosen] = value > 0 ? shown(calculator.prefixes, value, calculator.inputs[chosen].unit, 6) : "";
 }
 
-function start(fragment) {
+function start(fragment, quietly = false) {
   const said = fromFragment(fragment, known);
   given = Object.keys(said).length ? said : { ...calculator.first };
   for (const pair of PAIRS) {
     const chosen = pair.find((name) => name in given) ?? pair[0];
     element(`${pair[0]}-choice`).value = chosen;
   }
-  update();
+  const contact = update();
+  if (contact && quietly) clearTimeout(quiet);
 }
 
 for (const field of fields) {
@@ -227,10 +252,14 @@ for (const button of document.querySelectorAll("[data-copy]")) {
   });
 }
 
+new IntersectionObserver(([{ isIntersecting, boundingClientRect }]) => {
+  element("summary").classList.toggle("needed", !isIntersecting && boundingClientRect.top > 0);
+}).observe(document.querySelector(".cards"));
+
 element("reset").addEventListener("click", () => start(""));
 addEventListener("hashchange", () => start(location.hash));
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => pictures.redraw());
-start(location.hash);
+start(location.hash, true);
 
 // For tests, and for whoever wants the numbers in the browser's console.
 window.softlube = { calculator, contact: (texts) => calculator.contact(texts), printed, centreLine };

@@ -1,6 +1,6 @@
 // What the four pictures show of a contact, in numbers and in words.
 import { Chart } from "./charts.js";
-import { axisUnit, engineering, typeset } from "./format.js";
+import { axisUnit, engineering, shown, typeset } from "./format.js";
 import { general } from "./python.js";
 import { centreLine } from "./profiles.js";
 import { speedsBetween, stribeck } from "./stribeck.js";
@@ -13,6 +13,12 @@ export class Pictures {
     this.calculator = calculator;
     const { prefixes } = calculator;
     this.view = { x: [-1, 1], film: [0, 1], pressure: [0, 1], lambda: [], films: [] };
+    // What is drawn, for the words beside the pointer: values of quantities in SI.
+    this.curve = { speeds: [] };
+    this.line = { x: [] };
+    const si = (value, unit) => typeset(shown(prefixes, value, unit, 3));
+    const speedAt = (k) => si(this.curve.speeds[k], "m/s");
+    const placeAt = (k) => `x = ${si(this.line.x[k], "m")}`;
     const speed = { log: true, prefixes, unit: "m/s", room: 64, label: "speed" };
     const place = { label: "x", range: () => this.view.x };
     const beyond = { dash: [2, 4] };
@@ -22,6 +28,7 @@ export class Pictures {
       y: { log: true, prefixes, unit: "", room: 26, label: "friction coefficient F/N" },
       series: [{ ink: "friction" }, { ink: "friction", ...beyond }, point],
       shade: () => this.view.lambda,
+      tell: (k) => `${speedAt(k)}: ${typeset(general(this.curve.friction[k], 3))}`,
     });
     this.film = new Chart(element("film-chart"), {
       x: speed,
@@ -35,18 +42,21 @@ export class Pictures {
         point,
       ],
       shade: () => this.view.films,
+      tell: (k) => `${speedAt(k)}: ${si(this.curve.center[k], "m")}, minimum ${si(this.curve.minimum[k], "m")}`,
     });
     this.gap = new Chart(element("gap-chart"), {
       x: place,
       y: { label: "film", range: () => this.view.film },
       series: [{ ink: "film" }],
       spline: true,
+      tell: (k) => `${placeAt(k)}: ${si(this.line.film[k], "m")}`,
     });
     this.pressure = new Chart(element("pressure-chart"), {
       x: place,
       y: { label: "pressure", range: () => this.view.pressure },
       series: [{ ink: "pressure" }, { ink: "ink-soft", dash: [6, 5], width: 1.5 }],
       spline: true,
+      tell: (k) => `${placeAt(k)}: ${si(this.line.pressure[k], "Pa")}`,
     });
   }
 
@@ -79,6 +89,8 @@ export class Pictures {
     const [slowest, fastest] = this.calculator.inputs.speed.slider;
     const curve = stribeck(this.calculator, contact, speedsBetween(slowest, fastest, inputs.speed));
     const { speeds } = curve;
+    this.curve = curve;
+    element("friction-beyond").hidden = element("film-beyond").hidden = curve.inside.every(Boolean);
     const here = (values) => values.map((each, k) => (speeds[k] === inputs.speed ? each : null));
     // A point next to the table's end belongs to both parts, so that they join.
     const near = (k, wanted) => [k - 1, k, k + 1].some((each) => curve.inside[each] === wanted);
@@ -87,7 +99,7 @@ export class Pictures {
     const { friction, center, minimum } = curve;
     this.shadeByRoughness(inputs.roughness, curve);
     const lowest = friction.indexOf(Math.min(...friction));
-    const operating = `at ${this.text({ value: inputs.speed, error: 0, unit: "m/s" })}`;
+    const operating = `at ${typeset(shown(this.calculator.prefixes, inputs.speed, "m/s", 3))}`;
     this.friction.draw(
       [speeds, within(friction), beyond(friction), here(friction)],
       `Friction coefficient against speed, both logarithmic: ${typeset(general(friction[0], 2))} at the slowest, lowest ` +
@@ -103,10 +115,9 @@ export class Pictures {
     body.replaceChildren(
       ...table.speeds.map((speed, k) => {
         const row = document.createElement("tr");
-        const lengths = [speed, table.center[k], table.minimum[k]].map((value, j) => {
-          const [factor, unit] = axisUnit(this.calculator.prefixes, value, j ? "m" : "m/s");
-          return `${general(value * factor, 3)} ${unit}`;
-        });
+        const lengths = [speed, table.center[k], table.minimum[k]].map((value, j) =>
+          shown(this.calculator.prefixes, value, j ? "m" : "m/s", 3),
+        );
         for (const text of [...lengths, general(table.friction[k], 3)]) {
           const cell = document.createElement("td");
           cell.textContent = typeset(text);
@@ -142,20 +153,23 @@ export class Pictures {
       return;
     }
     const { prefixes } = this.calculator;
-    const end = Math.min(1.7 * line.span, line.x[line.x.length - 1]);
+    this.line = line;
+    // A sphere that floats has its pressure far about, a Hertz contact within its radius.
+    const end = Math.min((5 - 3.3 * (line.radius / line.span) ** 2) * line.span, line.x[line.x.length - 1]);
     const highest = Math.max(...line.pressure);
     const lowest = Math.min(...line.pressure);
-    const top = 3 * contact.dimensional.film_center.value;
+    const thickest = 3 * contact.dimensional.film_center.value;
     const [byX, unitX] = axisUnit(prefixes, end, "m");
-    const [byFilm, unitFilm] = axisUnit(prefixes, top, "m");
+    const [byFilm, unitFilm] = axisUnit(prefixes, thickest, "m");
     const [byPressure, unitPressure] = axisUnit(prefixes, highest, "Pa");
     const pressed = contact.quantities.height.value < 0;
+    const top = Math.min(pressed ? Math.max(highest, ...line.hertz) : highest, 1.6 * highest);
     element("hertz-key").hidden = !pressed;
     this.view = {
       ...this.view,
       x: [-end * byX, end * byX],
-      film: [0, top * byFilm],
-      pressure: [1.1 * Math.min(lowest, 0) * byPressure, 1.12 * highest * byPressure],
+      film: [0, thickest * byFilm],
+      pressure: [1.1 * Math.min(lowest, 0) * byPressure, 1.12 * top * byPressure],
     };
     const x = line.x.map((each) => each * byX);
     this.gap.label(`x [${unitX}], inlet on the right`, `film [${unitFilm}]`);
