@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from importlib import resources
 
 from softlube.model.inputs import Input
@@ -55,7 +56,7 @@ def embedded(data: object) -> str:
 
 
 def short_words(declared: Input) -> str:
-    """An input's words as the label of a field: without what follows a semicolon, or "instead".
+    """An input's words as the label of a field: up to a comma, a colon or a semicolon, and without "instead".
 
     Examples
     --------
@@ -63,4 +64,4 @@ def short_words(declared: Input) -> str:
     >>> short_words(declared()["shear_modulus"])
     'Shear modulus'
     """
-    return declared.words.partition(";")[0].partition(",")[0].removesuffix(" instead")
+    return re.split("[,:;]", declared.words)[0].removesuffix(" instead")
