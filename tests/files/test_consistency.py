@@ -39,6 +39,12 @@ def changed(data, name, place, value):
         ("film_min_SI", (), 1e-3, "film_min_SI: expected"),
         ("film_min_other", (), 0.5, "film_min_other: the fields say"),
         ("load", (), float("inf"), "load: expected finite numbers"),
+        ("film_min_error", (), -1.0, "film_min: expected an error of 0 or more"),
+        ("film_min_error", (), 0.5, "film_min_SI: expected"),
+        ("film_min_error_SI", (), 1e-3, "film_min_SI: expected"),
+        ("film_SI", (3, 4), 1e-3, "film_SI: does not follow from the other numbers"),
+        ("x", (3, 4), 1e-3, "x: does not follow from the other numbers"),
+        ("y_SI", (3, 4), 1e-3, "y_SI: does not follow from the other numbers"),
     ],
 )
 def test_a_number_that_was_changed(data, name, place, value, message):
@@ -84,9 +90,11 @@ def test_the_input_of_another_problem(data):
 
 
 def test_a_variable_that_is_not_there(data):
-    for name in ("film", "displacement", "load", "film_center"):
+    for name in ("film", "displacement", "load", "film_center", "film_min", "x", "film_SI"):
         with pytest.raises(softlube.InputError, match=f"{name}: missing"):
             load(netcdf(data.drop_vars(name)))
+    with pytest.raises(softlube.InputError, match="film_min_error: missing"):
+        load(netcdf(data.drop_vars("film_min_error")))
 
 
 @settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])

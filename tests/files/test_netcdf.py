@@ -58,8 +58,8 @@ def test_both_normalisations_are_in_the_file(physical, solution):
         assert (data.attrs["normalisation"], data.attrs["other_normalisation"]) == (own, other)
         for name, quantity in one.normalised(other).items():
             assert float(data[name + "_other"]) == quantity
-            assert data[name + "_other"].attrs["error"] == quantity.error
-            assert data[name + "_other"].attrs["units"] == "1"
+            assert np.array_equal(data[name + "_error_other"], quantity.error, equal_nan=True)
+            assert data[name + "_other"].attrs["units"] == ("degree" if name == "film_min_angle_deg" else "1")
         for name, quantity in one.normalised(own).items():
             assert float(data[name]) == quantity
 
@@ -89,6 +89,34 @@ def test_a_file_with_the_words_of_development_versions_loads(tmp_path):
     assert again.problem.liquid.kind == "barus"
 
 
+def first_schema(data):
+    """A dataset as softlube 0.2 wrote it: errors are attributes, and there is no x and y."""
+    errors = [name for name in data.data_vars if "_error" in name]
+    old = data.drop_vars([*errors, *(name for name in data.coords if name[0] in "xy")])
+    for name in errors:
+        old[name.replace("_error", "")].attrs |= {"error": float(data[name])}
+        del old[name.replace("_error", "")].attrs["ancillary_variables"]
+    del old.attrs["Conventions"], old.attrs["softlube_schema"]
+    return old
+
+
+def test_a_file_of_the_first_schema_loads(physical, tmp_path):
+    old = first_schema(physical.dataset)
+    assert old.film_min.attrs["error"] == physical.film_min.error
+    assert set(old.variables) == {name for name in physical.dataset.variables if "_error" not in name and name[0] not in "xy"}
+    old.to_netcdf(tmp_path / "old.nc", engine="h5netcdf")
+    again = softlube.load(tmp_path / "old.nc")
+    assert again.dataset.identical(physical.dataset.assign_attrs(levels=again.dataset.levels))
+    assert [q.error for q in again.dimensional.values()] == [q.error for q in physical.dimensional.values()]
+
+
+@pytest.mark.parametrize(("schema", "message"), [(3, "schema 3 of a later version"), ("new", "expected a whole number")])
+def test_a_file_of_a_later_schema_is_refused(solution, tmp_path, schema, message):
+    solution.dataset.assign_attrs(softlube_schema=schema).to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
+    with pytest.raises(softlube.InputError, match=message):
+        softlube.load(tmp_path / "a.nc")
+
+
 def test_dimensionless_round_trip(solution, tmp_path):
     solution.save(tmp_path / "a.nc")
     again = softlube.load(tmp_path / "a.nc")
@@ -114,7 +142,8 @@ def test_xarray_opens_the_file(physical, tmp_path):
     with xr.open_dataset(path) as data:
         assert data.film.dims == ("r", "theta")
         assert float(data.film_min) == physical.film_min
-        assert data.film_min.attrs["error"] == physical.film_min.error
+        assert float(data.film_min_error) == physical.film_min.error
+        assert float(data.film_min_error_SI) == physical.dimensional["film_min"].error
         assert data.film_min_SI.attrs["units"] == "m"
         at_nodes = float(data.film_SI.min())
         assert physical.dimensional["film_min"] <= at_nodes == pytest.approx(physical.dimensional["film_min"], rel=0.05)

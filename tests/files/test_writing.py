@@ -109,6 +109,10 @@ def test_what_may_not_be_written_is_refused(tmp_path, monkeypatch):
 
 
 def test_netcdf_is_built_in_memory(tmp_path):
-    data = xr.Dataset({"film": ("r", [0.1, 0.2])}, attrs={"title": "a film"})
+    r = ("r", [0.0, 0.5], {"units": "1"})
+    film = ("r", [0.1, 0.2], {"long_name": "film thickness u(r)"})
+    data = xr.Dataset({"words": ("r", ["a µm", ""]), "film": film, "at": 0.3}, {"r": r}, {"title": "a film", "schema": 2})
     write_whole({tmp_path / "a.nc": netcdf(data)})
-    assert xr.load_dataset(tmp_path / "a.nc", engine="h5netcdf").identical(data)
+    again = xr.load_dataset(tmp_path / "a.nc", engine="h5netcdf")
+    assert again.identical(data)
+    assert list(again.data_vars) == ["words", "film", "at"]

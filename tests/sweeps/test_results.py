@@ -3,6 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
+import xarray as xr
 
 import softlube
 from softlube.sweeps.results import check_folder, check_table
@@ -49,7 +50,13 @@ def test_csv_and_parquet_hold_the_table(swept, tmp_path):
     from_csv = pd.read_csv(tmp_path / "a.csv", keep_default_na=False)
     pd.testing.assert_frame_equal(from_csv, result.table, rtol=1e-15)
     pd.testing.assert_frame_equal(pd.read_parquet(tmp_path / "a.parquet"), result.table, check_exact=True)
-    with pytest.raises(softlube.InputError, match=r"expected a file ending in \.csv or \.parquet"):
+    result.save(tmp_path / "a.nc")
+    with xr.open_dataset(tmp_path / "a.nc") as data:
+        assert data.load().identical(result.dataset)
+        assert data.film_min.values.tolist() == result.table["film_min [m]"].tolist()
+        assert data.film_min_error.attrs["units"] == "m"
+        assert set(data.coords) == {"case", *BALL}
+    with pytest.raises(softlube.InputError, match=r"expected a file ending in \.csv, \.parquet or \.nc"):
         result.save(tmp_path / "a.xlsx")
 
 
@@ -72,7 +79,7 @@ def test_headers_have_units_and_inputs_come_first(swept):
 
 def test_where_a_table_may_go(tmp_path, monkeypatch):
     assert check_table("output", tmp_path / "A.CSV") == tmp_path / "A.CSV"
-    with pytest.raises(softlube.InputError, match=r"output: expected a file ending in \.csv or \.parquet"):
+    with pytest.raises(softlube.InputError, match=r"output: expected a file ending in \.csv, \.parquet or \.nc"):
         check_table("output", tmp_path / "a.txt")
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     with pytest.raises(softlube.InputError, match="output: Parquet needs the extra parquet"):

@@ -70,7 +70,7 @@ def stribeck(
     accuracy
         Relative accuracy of the solutions behind the curve.
     output
-        Table, .csv or .parquet.
+        Table, .csv, .parquet or .nc.
     plot
         Picture (.png, .pdf or .svg).
     against
@@ -120,7 +120,7 @@ def stribeck(
     if output is not None:
         from softlube.sweeps.results import save_table
 
-        save_table(table, output)
+        save_table(table, output, ("load", "entrainment_speed", "slide_to_roll"))
     if plot is not None:
         from softlube.plots.experiments import plot_stribeck
 

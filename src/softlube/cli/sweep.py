@@ -39,7 +39,7 @@ def sweep(
     plan
         TOML file with the parameters: values, lists, ranges, columns of a CSV file; of squeeze films with motion = "squeeze".
     output
-        Table of the results, .csv or .parquet [default: PLAN-results.csv beside the plan].
+        Table of the results, .csv, .parquet or .nc [default: PLAN-results.csv beside the plan].
     store
         Database in which finished cases are kept [default: PLAN.sweep beside the plan].
     fields
@@ -60,7 +60,7 @@ def sweep(
     from softlube.errors import InputError
     from softlube.files.writing import check_destination
     from softlube.sweeps.plan import read_plan
-    from softlube.sweeps.results import check_folder, check_table, save_table
+    from softlube.sweeps.results import check_folder, check_table
     from softlube.sweeps.run import sweep as run
 
     # Everything that can be refused is refused before anything is computed or written.
@@ -93,7 +93,7 @@ def sweep(
             retry_failed=retry_failed,
             progress=bar.show,
         )
-    save_table(result.table, table_path)
+    result.save(table_path)
     written = result.save_fields(fields) if fields is not None else []
     print(echo(understood(cases.inputs())))
     _report(result, table_path, store_path, written)

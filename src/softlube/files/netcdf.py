@@ -7,15 +7,16 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from functools import partial
-from importlib.metadata import version
 from typing import Any, TypeVar
 
+import numpy as np
 import xarray as xr
 
 from softlube.discretization.fields import Chart, Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError
-from softlube.files.consistency import check_consistency, check_grid
+from softlube.files.cf import ANGLE, AXES, ERROR, about, head, plane, schema_of, with_error
+from softlube.files.consistency import ROUND_OFF, check_consistency, check_grid
 from softlube.files.hdf5 import GREATEST, Content, Rule, Variable, check, read
 from softlube.files.reading import Damaged
 from softlube.files.writing import check_destination, netcdf, write_whole
@@ -55,30 +56,29 @@ def _plain(level: Level) -> dict[str, Any]:
 def to_dataset(solution: Solution) -> xr.Dataset:
     """Fields, quantities, inputs and version as one Dataset.
 
-    Fields are on (r, theta), 0 ≤ θ ≤ π from the inlet, normalised like the solution's quantities, which are there with their
-    error among the attributes.  The same names ending in ``_other`` are normalised the other way (see `Solution.normalised`),
-    those ending in ``_SI`` are in SI units if the input was physical.
+    Fields are on (r, theta), 0 ≤ θ ≤ π from the inlet, with x = r cos θ and y = r sin θ, normalised like the solution's
+    quantities, each of which has its error beside it: ``film_min`` and ``film_min_error``.  Names ending in ``_other`` are
+    normalised the other way (see `Solution.normalised`), those ending in ``_SI`` are in SI units if the input was physical.
     """
     fields = solution.fields
     displacement = (fields.height + fields.r[:, None] ** 2 / 2) - fields.film
     values = {"pressure": fields.pressure, "film": fields.film, "displacement": displacement}
-    data: dict[str, xr.DataArray] = {
-        name: xr.DataArray(values[name], dims=PLANE, attrs={"long_name": FIELDS[name].words, "units": "1"}) for name in values
-    }
+    data: dict[str, xr.DataArray] = {name: xr.DataArray(values[name], dims=PLANE, attrs=about(name)) for name in values}
     own, other = ("load", "indentation") if solution.problem.load_controlled else ("indentation", "load")
     families = ((solution.quantities, ""), (solution.other_quantities, OTHER_SUFFIX), (solution.dimensional, SI_SUFFIX))
     for quantities, suffix in families:
         for name, quantity in quantities.items():
-            attributes = {"long_name": QUANTITIES[name].words, "units": quantity.unit or "1"}
-            data[name + suffix] = xr.DataArray(float(quantity), attrs=attributes | {"error": quantity.error})
-    coordinates = {
-        "r": ("r", fields.r, {"long_name": "distance from the axis over the unit of length", "units": "1"}),
-        "theta": ("theta", fields.theta, {"long_name": "angle from the inlet", "units": "rad"}),
+            data |= with_error(name, quantity, suffix)
+    coordinates: dict[str, xr.DataArray] = {
+        "r": xr.DataArray(fields.r, dims="r", attrs=about("r")),
+        "theta": xr.DataArray(fields.theta, dims="theta", attrs=AXES["theta"]),
+    }
+    coordinates |= {
+        name: xr.DataArray(each, dims=PLANE, attrs=about(name) | AXES[name])
+        for name, each in plane(fields.r, fields.theta).items()
     }
     chart = fields.chart
-    attributes = {
-        "title": f"Lubricated sliding of a rigid sphere on {solution.problem.substrate.words}",
-        "softlube_version": version("softlube"),
+    attributes = head(f"Lubricated sliding of a rigid sphere on {solution.problem.substrate.words}") | {
         "method": solution.method,
         "beta": solution.beta,
         "beta_load": solution.beta_load,
@@ -96,12 +96,12 @@ def to_dataset(solution: Solution) -> xr.Dataset:
         contact = solution.contact
         attributes["inputs_SI"] = json.dumps(contact.inputs())
         scales = contact.scales(contact.unit_height)
-        for name in values:
-            scale, unit = scales[FIELDS[name].dimension]
-            attrs = {"long_name": FIELDS[name].words, "units": unit}
-            data[name + SI_SUFFIX] = xr.DataArray(values[name] * scale, dims=PLANE, attrs=attrs)
-        length, unit = scales[FIELDS["r"].dimension]
-        coordinates["r" + SI_SUFFIX] = ("r", fields.r * length, {"long_name": FIELDS["r"].words, "units": unit})
+        for family, names in ((data, values), (coordinates, ("r", "x", "y"))):
+            for name in names:
+                scale, unit = scales[FIELDS[name].dimension]
+                own_unit = family[name]
+                attrs = about(name, unit)
+                family[name + SI_SUFFIX] = xr.DataArray(own_unit.values * scale, dims=own_unit.dims, attrs=attrs)
     return xr.Dataset(data, coords=coordinates, attrs=attributes)
 
 
@@ -149,13 +149,18 @@ def _solution(content: Content) -> Solution:
         raise Damaged("does not hold a solution that softlube can take up again")
     if "height" not in attributes:
         raise Damaged("was written by an earlier version of softlube; solve and save it again")
+    schema = schema_of(attributes)
     check(content, SCHEMA)
     fields = {name: content.variables[name].values for name, rule in SCHEMA.items() if rule.axes}
     families: dict[str, dict[str, Quantity]] = {"": {}, OTHER_SUFFIX: {}, SI_SUFFIX: {}}
     for name, found in content.variables.items():
         suffix = next((each for each in (SI_SUFFIX, OTHER_SUFFIX) if name.endswith(each)), "")
         if not found.values.ndim and name.removesuffix(suffix) in QUANTITIES:
-            families[suffix][name.removesuffix(suffix)] = _read(name, lambda found=found: _quantity(found))
+            base = name.removesuffix(suffix)
+            error = content.variables.get(base + ERROR + suffix)
+            if error is None and schema > 1:
+                raise Damaged(f"{base}{ERROR}{suffix}: missing")
+            families[suffix][base] = _read(name, lambda found=found, error=error: _quantity(found, error))
     # Development versions of 0.2.0 said "fluid" for "liquid".
     problem = _read("problem", lambda: Problem.from_plain(json.loads(attributes["problem"].replace('"fluid"', '"liquid"'))))
     grid, method = str(attributes["grid"]), str(attributes.get("method"))
@@ -187,7 +192,22 @@ def _solution(content: Content) -> Solution:
         warnings=_read("warnings", lambda: tuple(map(str, json.loads(attributes["warnings"])))),
     )
     check_consistency(solution, fields["displacement"])
+    _check_copies(content, solution, schema)
     return solution
+
+
+def _check_copies(content: Content, solution: Solution, schema: int) -> None:
+    """Refuse a file whose arrays that follow from others, such as coordinates and fields in SI, do not."""
+    for name, expected in to_dataset(solution).variables.items():
+        found = content.variables.get(str(name))
+        if found is None and (schema == 1 or name in SCHEMA):
+            continue  # earlier versions did not write it, or it is none of this method's
+        if found is None:
+            raise Damaged(f"{name}: missing")
+        if found.values.shape != expected.shape or not np.allclose(
+            found.values, expected.to_numpy(), rtol=ROUND_OFF, atol=1e-300, equal_nan=True
+        ):
+            raise Damaged(f"{name}: does not follow from the other numbers of the file")
 
 
 def _read(name: str, make: Callable[[], Made]) -> Made:
@@ -207,9 +227,11 @@ def _number(attributes: Mapping[str, Any], name: str) -> float:
     return number
 
 
-def _quantity(found: Variable) -> Quantity:
+def _quantity(found: Variable, error: Variable | None) -> Quantity:
+    """A value with its error, which stands among the attributes in files of the first schema."""
     unit = str(found.attributes["units"])
-    return Quantity(float(found.values), float(found.attributes["error"]), "" if unit == "1" else unit)
+    doubt = found.attributes["error"] if error is None else error.values
+    return Quantity(float(found.values), float(doubt), "" if unit in ("1", ANGLE) else unit)
 
 
 def _chart(stored: str, shape: tuple[int, ...]) -> Chart:

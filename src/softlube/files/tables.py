@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from softlube.errors import InputError
 from softlube.files.reading import Damaged, read_bytes
+from softlube.files.spreadsheets import is_spreadsheet, sheet_text
 from softlube.model.inputs import GREATEST, LEAST, NUMBER, Input
 from softlube.model.units import THOUSANDS, read_number
 from softlube.physical.inputs import declared
@@ -88,7 +89,8 @@ def read_table(
     Parameters
     ----------
     path : path
-        The file: UTF-8 (or UTF-16 with its mark), columns parted by commas, semicolons or tabs.
+        The file: UTF-8 (or UTF-16 with its mark), columns parted by commas, semicolons or tabs; or the first sheet of an .xlsx
+        or .ods file.
     required : sequence of str
         Names of the columns: inputs of `softlube.physical.inputs`, or `NUMBERS`.
     columns : mapping of str to Input, optional
@@ -190,6 +192,8 @@ def _text(path: Path) -> str:
         raw = read_bytes(path, LARGEST)
     except Damaged as error:
         raise InputError(f"{path}: the file {error}") from None
+    if is_spreadsheet(path):
+        return sheet_text(path, raw)
     encoding = "utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
     try:
         text = raw.decode(encoding)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
 
+from softlube.files.cf import AXES, ERROR, about_error, head, plane, schema_of
 from softlube.files.hdf5 import Rule, check, read
 from softlube.files.reading import Damaged
 from softlube.files.writing import check_destination, netcdf, write_whole
@@ -22,8 +22,10 @@ from softlube.transient.extremes import Extremes
 if TYPE_CHECKING:
     from softlube.transient.history import PhysicalInput, Transient
 
-AXES = {"r": {"long_name": QUANTITIES["r"].words}, "theta": {"long_name": "angle from the inlet", "units": "rad"}}
-"""Attributes of the axes of film and pressure in files."""
+PLANE = ("r", "theta")
+"""Axes of film and pressure with sliding."""
+ROUND_OFF = 1e-6
+"""Relative difference of a coordinate from what r and theta say."""
 EXTREMES = {"film_min": ("film", np.min), "pressure_max": ("pressure", np.max)}
 """Histories that are extremes of a field: the field, and which extreme."""
 BETWEEN_NODES = 0.3
@@ -45,21 +47,20 @@ def to_dataset(result: Transient) -> xr.Dataset:
         terms of the balance of volume.
     """
     run = result.run
-    coordinates = {"time": ("time", run.time, {"long_name": f"time since the {result.start}"})}
-    coordinates |= {name: (name, getattr(run, name), AXES[name]) for name in result.axes}
+    coordinates: dict[str, Any] = {"time": ("time", run.time, {"long_name": f"time since the {result.start}"} | AXES["time"])}
+    coordinates |= {name: (name, getattr(run, name), _axis(name)) for name in result.axes}
+    if result.axes == PLANE:
+        coordinates |= {name: (PLANE, each, _axis(name)) for name, each in plane(run.r, coordinates["theta"][1]).items()}
     data: dict[str, tuple[Any, ...]] = {
         name: (("time", *result.axes), values, {"long_name": QUANTITIES[name].words})
         for name, values in (("film", run.films), ("pressure", run.pressures))
     }
     for name, values in result.values.items():
-        words = QUANTITIES[name].words
-        data[name] = ("time", values, {"long_name": words})
-        data[name + "_error"] = ("time", result.value_errors[name], {"long_name": f"error of the {words}"})
+        data[name] = ("time", values, {"long_name": QUANTITIES[name].words, "ancillary_variables": name + ERROR})
+        data[name + ERROR] = ("time", result.value_errors[name], {"long_name": about_error(name)["long_name"]})
     for name in result.balance:
         data[name] = ("time", getattr(run, name), {"long_name": QUANTITIES[name].words})
-    attributes = {
-        "title": result.title,
-        "softlube_version": version("softlube"),
+    attributes = head(result.title) | {
         "ended_by": run.ended_by,
         "accuracy": result.accuracy,
         **{name: json.dumps(value) if isinstance(value, list) else value for name, value in result.numerics.items()},
@@ -68,6 +69,11 @@ def to_dataset(result: Transient) -> xr.Dataset:
         "liquid": json.dumps(liquids.to_plain(result.motion.liquid)),
     }
     return in_units(xr.Dataset(data, coords=coordinates, attrs=attributes), result.setup, result.sliding)
+
+
+def _axis(name: str) -> dict[str, str]:
+    """Words and attributes of a coordinate, before it has a unit."""
+    return ({"long_name": QUANTITIES[name].words} if name in QUANTITIES else {}) | AXES[name]
 
 
 def in_units(data: xr.Dataset, setup: PhysicalInput | None, sliding: Mapping[str, Any]) -> xr.Dataset:
@@ -84,7 +90,7 @@ def in_units(data: xr.Dataset, setup: PhysicalInput | None, sliding: Mapping[str
     """
     scaled = {}
     for name, values in data.variables.items():
-        row = QUANTITIES.get(str(name).removesuffix("_error"))
+        row = QUANTITIES.get(str(name).removesuffix(ERROR))
         if row is not None:
             factor, unit = setup.units[row.dimension] if setup is not None else (1.0, "1")
             scaled[name] = (values.dims, values.to_numpy() * factor, values.attrs | {"units": unit})
@@ -139,8 +145,9 @@ def _dataset(source: str | os.PathLike[str] | bytes) -> xr.Dataset:
     if "film" not in content.variables or "softlube_version" not in content.attributes:
         raise Damaged("does not hold a film in time")
     variables = content.variables
-    axes = tuple(name for name in AXES if name in variables)
+    axes = tuple(name for name in PLANE if name in variables)
     schema = {"time": Rule(("time",)), **{name: Rule((name,)) for name in axes}}
+    schema |= {name: Rule(PLANE) for name in ("x", "y") if axes == PLANE and schema_of(content.attributes) > 1}
     schema |= {"film": Rule(("time", *axes), "positive"), "pressure": Rule(("time", *axes))}
     schema |= {name: Rule(("time",), gaps=True) for name in variables if name not in schema}
     check(content, schema)
@@ -148,5 +155,9 @@ def _dataset(source: str | os.PathLike[str] | bytes) -> xr.Dataset:
         nodal = extreme(variables[field].values.reshape(variables["time"].values.size, -1), axis=1)
         if name not in variables or np.any(np.abs(variables[name].values - nodal) > BETWEEN_NODES * np.abs(nodal)):
             raise Damaged(f"{name}: is not that of the {field}")
+    nodes = plane(*(variables[name].values for name in PLANE)) if axes == PLANE else {}
+    for name, expected in nodes.items():
+        if name in schema and not np.allclose(variables[name].values, expected, rtol=ROUND_OFF, atol=1e-9 * expected.max()):
+            raise Damaged(f"{name}: is not that of r and theta")
     arrays = {name: (schema[name].axes, found.values, found.attributes) for name, found in variables.items()}
-    return xr.Dataset(arrays, attrs=content.attributes).set_coords(["time", *axes])
+    return xr.Dataset(arrays, attrs=content.attributes).set_coords(["time", *axes, *(name for name in nodes if name in schema)])

@@ -10,6 +10,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from softlube.errors import InputError
 
 if TYPE_CHECKING:
@@ -93,15 +95,33 @@ def _named(path: str | os.PathLike[str]) -> Generator[None]:
 
 
 def netcdf(data: xr.Dataset) -> bytes:
-    """A dataset as the bytes of a NetCDF 4 file.
+    """A dataset as the bytes of a NetCDF 4 file: HDF5 with a dimension scale for each axis.
 
-    It is built in memory: HDF5 ends the process with a fault where the system refuses to write to a file.
+    It is built in memory: HDF5 ends the process with a fault where the system refuses to write to a file.  h5netcdf, which
+    xarray would write it with, takes six times as long for a hundred small variables.
+
+    Parameters
+    ----------
+    data : Dataset
+        Every dimension has a coordinate of its own; arrays hold numbers or texts.
     """
-    import h5netcdf
-    from xarray.backends import H5NetCDFStore
+    import h5py
+    from xarray.conventions import encode_dataset_coordinates
 
-    image = io.BytesIO()
-    store = H5NetCDFStore(h5netcdf.File(image, "w"), mode="w")
-    data.dump_to_store(store)
-    store.close()
+    image, dimensions = io.BytesIO(), [str(name) for name in data.dims]
+    variables, attributes = encode_dataset_coordinates(data)
+    with h5py.File(image, "w", libver=("earliest", "v110"), track_order=True) as file:
+        file.attrs.update(attributes)
+        for name in (*dimensions, *(name for name in variables if name not in dimensions)):
+            values = variables[name].to_numpy()
+            texts = values.dtype.kind in "OU"
+            values = values.astype(object) if texts else values
+            made = file.create_dataset(name, data=values, dtype=h5py.string_dtype() if texts else None)
+            made.attrs.update(variables[name].attrs)
+            if name in dimensions:
+                made.make_scale(name)
+                made.attrs["_Netcdf4Dimid"] = np.int32(dimensions.index(name))
+            else:
+                for axis, dimension in enumerate(variables[name].dims):
+                    made.dims[axis].attach_scale(file[dimension])
     return image.getvalue()

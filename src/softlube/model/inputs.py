@@ -127,6 +127,11 @@ class Input:
         return f"{self.dimension.words} such as {self.example!r}" + (f", {self.remark}" if self.remark else "")
 
     @property
+    def title(self) -> str:
+        """What it is, without what the command line's help adds."""
+        return self.words.partition("; ")[0].removesuffix(" instead")
+
+    @property
     def help(self) -> str:
         """A sentence for the command line's help and the documentation."""
         quoted = [f'"{each}"' for each in self.choices]

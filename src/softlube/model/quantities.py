@@ -285,6 +285,8 @@ FIELDS = _table(
     Definition("film", "film thickness", "u", "height", "6"),
     Definition("displacement", "surface displacement, the sum of both bodies'", "w", "height", "6"),
     Definition("r", "distance from the axis", "r", "length"),
+    Definition("x", "distance from the axis towards the inlet", "x", "length"),
+    Definition("y", "distance from the axis across the sliding", "y", "length"),
 )
 """Functions of position in pictures and files."""
 

@@ -156,7 +156,7 @@ class Contact(Materials, Summarised):
     def summary(self) -> Summary:
         """Every input that is given, with its SI unit and a prefix."""
         known = declared()
-        rows = [(name, str(_written(value, known[name].unit)), _words(name)) for name, value in self.given.items()]
+        rows = [(name, str(_written(value, known[name].unit)), known[name].title) for name, value in self.given.items()]
         return Summary(self.headline, ("input", "value", "words"), tuple(rows))
 
     def to_dataframe(self) -> pandas.DataFrame:
@@ -164,7 +164,7 @@ class Contact(Materials, Summarised):
         import pandas as pd
 
         known = declared()
-        rows = [(value, known[name].unit, _words(name)) for name, value in self.given.items()]
+        rows = [(value, known[name].unit, known[name].title) for name, value in self.given.items()]
         return pd.DataFrame(rows, index=pd.Index(list(self.given), name="input"), columns=["value", "unit", "words"])
 
     # --- from SI to the dimensionless problem -----------------------------------------------------------------------
@@ -367,11 +367,6 @@ class Contact(Materials, Summarised):
             If there is an input that no part has.
         """
         return cls(**{name: value for name, value in inputs.items() if value is not None})
-
-
-def _words(name: str) -> str:
-    """What an input is, without what the command line's help adds."""
-    return declared()[name].words.partition("; ")[0].removesuffix(" instead")
 
 
 def _written(value: float | str, unit: str) -> float | str:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from softlube.errors import InputError, printable, warn
-from softlube.files.writing import check_destination, write_whole
+from softlube.files.writing import check_destination, netcdf, write_whole
 from softlube.model.summary import Summarised, Summary, spread
 from softlube.physical.inputs import declared
 from softlube.sweeps.plan import Plan
@@ -18,8 +18,9 @@ from softlube.sweeps.tasks import Outcome
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
-FORMATS = (".csv", ".parquet")
+FORMATS = (".csv", ".parquet", ".nc")
 SHOWN = ("film_center", "film_min", "friction_coefficient")
 """Quantities that a summary shows."""
 MOST_VARIED = 4
@@ -59,6 +60,13 @@ class Sweep(Summarised):
         """One row a case: inputs, status, quantities and their errors, units in the headers."""
         return self._table.copy()
 
+    @property
+    def dataset(self) -> xarray.Dataset:
+        """`table` as an xarray Dataset over the dimension "case": inputs as coordinates, errors beside their quantities."""
+        from softlube.files.cf import table_dataset
+
+        return table_dataset(self._table, self.plan.inputs())
+
     @cached_property
     def _table(self) -> pandas.DataFrame:
         return to_table(self)
@@ -90,8 +98,8 @@ class Sweep(Summarised):
         return self.table
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the table as CSV or Parquet, by the file's ending, whole or not at all."""
-        save_table(self.table, check_table("output", path))
+        """Write the table as CSV or Parquet, or `dataset` as NetCDF, by the file's ending, whole or not at all."""
+        save_table(self._table, check_table("output", path), self.plan.inputs())
 
     def save_fields(self, folder: str | os.PathLike[str]) -> list[Path]:
         """Write the solution of every solved case as NetCDF (case-00001.nc for the table's case 1); needs ``fields=True``."""
@@ -104,11 +112,11 @@ def check_table(name: str, path: str | os.PathLike[str]) -> Path:
     Raises
     ------
     InputError
-        If the ending is neither .csv nor .parquet, the folder does not exist, or Parquet is not installed.
+        If the ending is none of `FORMATS`, the folder does not exist, or Parquet is not installed.
     """
     checked = check_destination(name, path)
     if checked.suffix.lower() not in FORMATS:
-        raise InputError(f"{name}: expected a file ending in {' or '.join(FORMATS)}, got {str(path)!r}")
+        raise InputError(f"{name}: expected a file ending in {', '.join(FORMATS[:-1])} or {FORMATS[-1]}, got {str(path)!r}")
     if checked.suffix.lower() == ".parquet":
         from importlib.util import find_spec
 
@@ -173,16 +181,34 @@ def to_table(result: Sweep) -> pandas.DataFrame:
     return pd.DataFrame(rows)
 
 
-def save_table(table: pandas.DataFrame, path: str | os.PathLike[str]) -> None:
-    """Write a table as CSV or Parquet, whole or not at all; `check_table` has said that the path will do.
+def save_table(table: pandas.DataFrame, path: str | os.PathLike[str], inputs: Iterable[str] = ()) -> None:
+    """Write a table as CSV, Parquet or NetCDF, whole or not at all; `check_table` has said that the path will do.
+
+    Parameters
+    ----------
+    table : DataFrame
+        A row for each case, units in the headers.
+    path : path
+        The file.
+    inputs : iterable of str
+        Names of the columns that are coordinates in NetCDF.
 
     Raises
     ------
     InputError, OSError
         See `softlube.files.writing.write_whole`.
     """
-    text = Path(path).suffix.lower() == ".csv"
-    write_whole({path: table.to_csv(index=False, lineterminator="\n").encode() if text else table.to_parquet(index=False)})
+    write_whole({path: _content(table, Path(path).suffix.lower(), inputs)})
+
+
+def _content(table: pandas.DataFrame, ending: str, inputs: Iterable[str]) -> bytes:
+    if ending == ".csv":
+        return table.to_csv(index=False, lineterminator="\n").encode()
+    if ending == ".parquet":
+        return table.to_parquet(index=False)
+    from softlube.files.cf import table_dataset
+
+    return netcdf(table_dataset(table, inputs))
 
 
 def write_fields(result: Sweep, folder: str | os.PathLike[str]) -> list[Path]:
