@@ -39,6 +39,8 @@ def open_page(browser, address):
         page.on("console", lambda message: said.append(message.text))
         page.on("pageerror", lambda error: said.append(str(error)))
         page.goto(address + fragment)
+        while not page.evaluate("'softlube' in window"):  # it is painted first, then it computes
+            page.wait_for_timeout(20)
         return page
 
     yield opened

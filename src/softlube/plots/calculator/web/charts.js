@@ -3,7 +3,6 @@ import uPlot from "uplot";
 import { axisUnit, typeset } from "./format.js";
 import { general } from "./python.js";
 
-const RATIO = 0.62;
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
 /** A picture in a box: made once, given new data, drawn anew when the box or the colours change. */
@@ -63,7 +62,7 @@ export class Chart {
   }
 
   height() {
-    return Math.round(Math.min(Math.max(this.width() * RATIO, 210), 320));
+    return this.box.clientHeight;
   }
 
   /** Draw new data, with what a screen reader says of them. */

@@ -54,7 +54,7 @@ export class Pictures {
     this.pressure = new Chart(element("pressure-chart"), {
       x: place,
       y: { label: "pressure", range: () => this.view.pressure },
-      series: [{ ink: "pressure" }, { ink: "ink-soft", dash: [6, 5], width: 1.5 }],
+      series: [{ ink: "ink-soft", dash: [6, 5], width: 1.5 }, { ink: "pressure" }],
       spline: true,
       tell: (k) => `${placeAt(k)}: ${si(this.line.pressure[k], "Pa")}`,
     });
@@ -181,7 +181,7 @@ export class Pictures {
         `${this.text(contact.dimensional.film_outlet_min)} at the thinnest place on the outlet side.`,
     );
     this.pressure.draw(
-      [x, line.pressure.map((each) => each * byPressure), line.hertz.map((each) => (pressed ? each * byPressure : null))],
+      [x, line.hertz.map((each) => (pressed ? each * byPressure : null)), line.pressure.map((each) => each * byPressure)],
       `Pressure along the centre line: at most ${this.text(contact.dimensional.pressure_max)}, ` +
         `${this.text(contact.dimensional.pressure_center)} at the centre` +
         `${pressed ? "; Hertz's pressure in the dry contact is drawn for comparison" : ""}.`,
