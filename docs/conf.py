@@ -12,6 +12,7 @@ sys.path.insert(0, str(HERE / "_ext"))
 from docutils import nodes  # noqa: E402
 
 import softlube  # noqa: E402
+from softlube.plots.calculator.page import page as calculator  # noqa: E402
 
 project = "softlube"
 author = "The softlube developers"
@@ -26,7 +27,7 @@ extensions = [
     "cyclopts.ext.sphinx",
 ]
 nitpicky = True
-exclude_patterns = ["_gallery", "_ext"]
+exclude_patterns = ["_gallery", "_ext", "_extra"]
 templates_path = ["_templates"]
 
 html_theme = "furo"
@@ -37,11 +38,17 @@ html_show_copyright = False
 html_copy_source = False
 
 myst_heading_anchors = 4
+myst_enable_extensions = ["deflist"]
 
 default_role = "code"
 autodoc_typehints = "none"  # the docstrings say what the arguments are
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
+
+# The calculator is a page by itself, beside the others.
+(HERE / "_extra").mkdir(exist_ok=True)
+(HERE / "_extra" / "calculator.html").write_text(calculator(), encoding="utf-8")
+html_extra_path = ["_extra"]
 
 # The examples run in a copy, because they write files into their folder.
 shutil.rmtree(HERE / "_gallery", ignore_errors=True)
