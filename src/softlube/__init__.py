@@ -13,11 +13,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from softlube.errors import InputError, NotConvergedError, SoftlubeError, ValidityWarning  # noqa: F401
+    from softlube.errors import InputError, NotConvergedError, SoftlubeError, ValidityWarning
     from softlube.experiments.approach import slide, squeeze
-    from softlube.experiments.fit import fit
+    from softlube.experiments.fit import Fit, fit
     from softlube.experiments.measurements import Measurements, read_measurements
-    from softlube.experiments.stribeck import stribeck_curve
+    from softlube.experiments.stribeck import StribeckCurve, stribeck_curve
     from softlube.files.histories import read_history
     from softlube.files.netcdf import load
     from softlube.model import dry, liquids, substrates
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from softlube.readout import flow, free_boundary, friction
     from softlube.steady.solution import Solution
     from softlube.steady.solve import solve
-    from softlube.sweeps import sweep
+    from softlube.sweeps import Sweep, sweep
     from softlube.theory import engineering, inlet, limits, scaling, side
     from softlube.theory import master_curve as curve
     from softlube.transient.sliding.result import Slide
@@ -44,6 +44,7 @@ __version__ = "0.2.0.dev0"
 # Names are imported when first used: the command line answers --help without NumPy.
 _NAMES = {
     "Contact": "physical.contact",
+    "Fit": "experiments.fit",
     "History": "physical.squeeze",
     "InputError": "errors",
     "Measurements": "experiments.measurements",
@@ -55,6 +56,8 @@ _NAMES = {
     "SoftlubeError": "errors",
     "Solution": "steady.solution",
     "Squeeze": "transient.squeeze.result",
+    "StribeckCurve": "experiments.stribeck",
+    "Sweep": "sweeps",
     "ValidityWarning": "errors",
     "fit": "experiments.fit",
     "load": "files.netcdf",
@@ -85,6 +88,7 @@ __all__ = [
     "Barus",
     "Contact",
     "DowsonHigginson",
+    "Fit",
     "HalfSpace",
     "History",
     "Incompressible",
@@ -104,6 +108,9 @@ __all__ = [
     "Solution",
     "Sphere",
     "Squeeze",
+    "StribeckCurve",
+    "Sweep",
+    "ValidityWarning",
     "__version__",
     "curve",
     "dry",
@@ -129,14 +136,16 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
-    if name in _MODULES:
-        return import_module(f"{__name__}.{_MODULES[name]}")
-    if name in _NAMES:
-        return getattr(import_module(f"{__name__}.{_NAMES[name]}"), name)
-    if name in (parts := _parts()):
-        return parts[name]
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+if not TYPE_CHECKING:  # a checker of types reads the imports above, and finds a name that is none of them
+
+    def __getattr__(name: str) -> Any:
+        if name in _MODULES:
+            return import_module(f"{__name__}.{_MODULES[name]}")
+        if name in _NAMES:
+            return getattr(import_module(f"{__name__}.{_NAMES[name]}"), name)
+        if name in (parts := _parts()):
+            return parts[name]
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

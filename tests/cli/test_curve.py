@@ -32,7 +32,7 @@ def test_one_beta_load_is_normalised_with_the_load(capsys):
 
 def test_a_range_as_csv_and_picture(capsys, tmp_path):
     csv, plot = tmp_path / "c.csv", tmp_path / "c.png"
-    options = ["--start", "10", "--stop", "1000", "--points", "3", "--csv", str(csv), "--plot", str(plot)]
+    options = ["--start", "10", "--stop", "1000", "--points", "3", "--output", str(csv), "--plot", str(plot)]
     assert main(["curve", "film_center", "film_min", *options]) == 0
     out = capsys.readouterr().out
     assert f"Wrote {csv}" in out
@@ -61,7 +61,7 @@ def test_a_layer_is_computed(capsys, tmp_path, control, symbol, unit):
         "3",
         "--accuracy",
         "0.02",
-        "--csv",
+        "--output",
         str(csv),
         "--plot",
         str(plot),
@@ -94,7 +94,7 @@ def test_a_layer_is_computed(capsys, tmp_path, control, symbol, unit):
         (["--by", "load", *LAYER, "--indentation", "1 um"], "--by, --radius: a curve of a contact"),
         (["film_min_radius", *LAYER, "--load", "1 N"], "film_min_radius is no function of beta here"),
         (["--accuracy", "0.01"], "--accuracy: the table has its own errors"),
-        (["--csv", "no/such/folder/a.csv"], "--csv: the folder"),
+        (["--output", "no/such/folder/a.csv"], "--output: the folder"),
     ],
 )
 def test_bad_input_exits_2_and_writes_nothing(tmp_path, monkeypatch, capsys, arguments, fragment):

@@ -5,7 +5,7 @@ import json
 import pytest
 
 import softlube
-from softlube.cli.main import main
+from softlube.cli.main import app, main
 
 
 def test_unknown_command_exits_2(capsys):
@@ -28,6 +28,24 @@ def test_help(capsys, command):
     out = capsys.readouterr().out
     assert f"softlube {command}" in out
     assert "[default" in out
+
+
+def test_choices_are_in_the_help_and_completed(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "200")
+    assert main(["solve", "--help"]) == 0
+    out = capsys.readouterr().out
+    assert "[choices: newton, relaxation, cartesian]" in out
+    assert '"frictionless" [default: bonded]' in out
+    script = app.generate_completion(shell="bash")
+    for word in ("--young-modulus", "relaxation", "frictionless", "dowson-higginson", "stribeck"):
+        assert word in script
+    assert main(["--help"]) == 0
+    assert "--install-completion" in capsys.readouterr().out
+
+
+def test_an_option_of_02_is_refused_with_its_new_name(capsys):
+    assert main(["curve", "--csv", "a.csv"]) == 2
+    assert capsys.readouterr().err == "softlube: --csv: softlube curve calls it --output since 0.3.\n"
 
 
 def test_help_names_the_commands(capsys):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Group
 
 from softlube.cli.inputs import takes
-from softlube.cli.numbers import FLOAT, WHOLE
+from softlube.cli.numbers import FLOAT, WHOLE, Cavitation
 from softlube.errors import printable
 from softlube.physical.inputs import BODIES, Loading
 
@@ -31,9 +31,9 @@ def curve(
     start: Annotated[float | None, FLOAT] = None,
     stop: Annotated[float | None, FLOAT] = None,
     points: Annotated[int, WHOLE] = 11,
-    cavitation: str = "reynolds",
+    cavitation: Cavitation = "reynolds",
     accuracy: Annotated[float | None, FLOAT] = None,
-    csv: str | None = None,
+    output: str | None = None,
     plot: str | None = None,
     **physical: str,
 ) -> int:
@@ -63,8 +63,8 @@ def curve(
         "reynolds" (no negative pressure) or "none".
     accuracy
         Relative accuracy of a computed curve [default: 3e-3].
-    csv
-        File for the values and their errors.
+    output
+        CSV file for the values and their errors.
     plot
         Picture of the curves with their local exponents (.png, .pdf or .svg).
     **physical
@@ -81,7 +81,7 @@ def curve(
     from softlube.theory import master_curve as master
 
     one = beta is not None or beta_load is not None
-    for option, path in (("csv", csv), ("plot", plot)):
+    for option, path in (("output", output), ("plot", plot)):
         if path is not None:
             check_destination(option, path)
     if plot is not None:
@@ -116,12 +116,12 @@ def curve(
     values = {name: curve(place) for name, curve in curves.items()}
 
     symbol = "beta_load" if by == "load" else "beta"
-    if csv is not None:
+    if output is not None:
         columns = [place, *(part for pair in values.values() for part in pair)]
         header = ",".join([symbol, *(name + ending for name in names for ending in ("", "_error"))])
         stream = io.BytesIO()
         np.savetxt(stream, np.column_stack(columns), fmt="%.9g", delimiter=",", header=header, comments="")
-        write_whole({csv: stream.getvalue()})
+        write_whole({output: stream.getvalue()})
     if plot is not None:
         from softlube.plots.solution import image, plot_curves
 
@@ -130,7 +130,7 @@ def curve(
     if one or physical:
         print(echo(understood({symbol: float(place[0])} if one else dict(physical))))
     _print(place, values, symbol, one, source)
-    for path in (csv, plot):
+    for path in (output, plot):
         if path is not None:
             print(f"Wrote {printable(path)}")
     return 0
@@ -177,28 +177,22 @@ def _computed(problem: Problem, place: Any, names: Sequence[str], accuracy: floa
 
 
 def _print(place: Any, values: Any, symbol: str, one: bool, source: str) -> None:
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
+    from softlube.cli.table import number_table, show, text_table
     from softlube.model.summary import rounded
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    cells = {
+        name: [rounded(float(value), float(error)) for value, error in zip(*pair, strict=True)] for name, pair in values.items()
+    }
     if one:
-        for column in ("quantity", "value", "± error"):
-            table.add_column(column, no_wrap=True, justify="right" if column == "value" else "left")
-        for name, (value, error) in values.items():
-            text, doubt = rounded(float(value[0]), float(error[0]))
-            table.add_row(name, text, f"± {doubt}")
+        rows = [(name, text, f"± {doubt}") for name, ((text, doubt),) in cells.items()]
+        table = text_table(rows, ("quantity", "value", "± error"))
     else:
-        table.add_column(symbol, justify="right", no_wrap=True)
-        for name in values:
-            table.add_column(name, justify="right")
-        for row, beta in enumerate(place):
-            cells = (rounded(float(value[row]), float(error[row])) for value, error in values.values())
-            table.add_row(f"{beta:.4g}", *(f"{text} ± {doubt}" for text, doubt in cells))
+        rows = [(f"{beta:.4g}", *(" ± ".join(column[row]) for column in cells.values())) for row, beta in enumerate(place)]
+        table = number_table(rows, (symbol, *cells))
     unit = "the Hertz indentation of the load" if symbol == "beta_load" else "the indentation"
     console = Console(highlight=False, soft_wrap=True)
     origin = "from the master curve" if source == "table" else "computed for this contact"
     console.print(f"Normalised with {unit}; {origin}.", markup=False)
-    console.print(table, soft_wrap=False)
+    show(console, table)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Group, Parameter
 
 from softlube.cli.inputs import takes
-from softlube.cli.numbers import FLOAT, WHOLE
+from softlube.cli.numbers import CHOICE, FLOAT, WHOLE
 from softlube.errors import printable
 from softlube.physical.inputs import BODIES
 
@@ -27,13 +27,13 @@ def fit(
     *,
     slide_to_roll: Annotated[float, FLOAT, Parameter(group=_RIG)] = 2.0,
     free: Annotated[list[str] | None, Parameter(group=_FIT, negative=())] = None,
-    noise: Annotated[str, Parameter(group=_FIT)] = "relative",
+    noise: Annotated[Literal["relative", "absolute"], CHOICE, Parameter(group=_FIT)] = "relative",
     robust: Annotated[bool, Parameter(group=_FIT, negative=())] = False,
-    interval: Annotated[str | None, Parameter(group=_FIT)] = None,
+    interval: Annotated[Literal["profile", "bootstrap"] | None, CHOICE, Parameter(group=_FIT)] = None,
     confidence: Annotated[float, FLOAT, Parameter(group=_FIT)] = 0.95,
     hold_out: Annotated[float, FLOAT, Parameter(group=_FIT)] = 0.0,
     seed: Annotated[int, WHOLE, Parameter(group=_FIT)] = 0,
-    force: Annotated[str, Parameter(group=_FRICTION)] = "total",
+    force: Annotated[Literal["total", "sphere"], CHOICE, Parameter(group=_FRICTION)] = "total",
     region: Annotated[str, Parameter(group=_FRICTION)] = "2",
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
@@ -137,7 +137,7 @@ def fit(
 def _report(found: Fit, files: list[str]) -> None:
     from rich.console import Console
 
-    from softlube.cli.table import summary_table
+    from softlube.cli.table import show, summary_table
     from softlube.experiments.load_curve import described
 
     console = Console(highlight=False, soft_wrap=True)
@@ -147,7 +147,7 @@ def _report(found: Fit, files: list[str]) -> None:
     )
     for notice in data.notices:
         console.print(f"Note: {printable(notice)}.", markup=False)
-    console.print(summary_table(found.summary()), soft_wrap=False)
+    show(console, summary_table(found.summary()))
     kind = f"{100 * found.scatter:.2g} %" if found.model.noise == "relative" else f"{found.scatter:.2g} of the median friction"
     console.print(f"Scatter: {kind}. Taken as measured: {described(found.model.force, found.region)}.", markup=False)
     for verdict in found.verdicts:

@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 from softlube.cli.echo import echo, understood
 from softlube.cli.inputs import GIVEN, PHYSICAL, one_contact, takes
-from softlube.cli.numbers import FLOAT
+from softlube.cli.numbers import CHOICE, FLOAT, Cavitation
 from softlube.errors import printable
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 
@@ -21,7 +21,7 @@ def flow(
     level: Annotated[float | None, FLOAT] = None,
     solution: Annotated[str | None, Parameter(group=GIVEN)] = None,
     beta: Annotated[float | None, FLOAT, Parameter(group=GIVEN)] = None,
-    cavitation: Annotated[str | None, Parameter(group=GIVEN)] = None,
+    cavitation: Annotated[Cavitation | None, CHOICE, Parameter(group=GIVEN)] = None,
     **physical: str,
 ) -> int:
     """Draw streamlines, velocities and wall shear in the film of one contact.

@@ -6,10 +6,11 @@ from collections.abc import Callable, Sequence
 from functools import cache, update_wrapper
 from inspect import Parameter as Argument
 from inspect import Signature, signature
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Group, Parameter
 
+from softlube.cli.numbers import CHOICE
 from softlube.model.inputs import Input
 from softlube.physical.inputs import names_of
 
@@ -65,7 +66,11 @@ def _option(group: Group, declared: Input) -> Argument:
     # Kept: cyclopts asks for a command's signature a dozen times.  A new kind of part brings new inputs, so nothing is stale.
     # A negative number is a value, to be refused with the reason, and not an option.
     about = Parameter(group=group, help=declared.help, allow_leading_hyphen=True)
-    return Argument(declared.name, Argument.KEYWORD_ONLY, default=None, annotation=Annotated[str | None, about])
+    kind: Any = str
+    if declared.choices:  # the help lists them already; a shell completes them
+        kind = Literal[declared.choices]  # type: ignore[invalid-literal]
+        about = Parameter.combine(CHOICE, about, Parameter(show_choices=False))
+    return Argument(declared.name, Argument.KEYWORD_ONLY, default=None, annotation=Annotated[kind | None, about])
 
 
 def one_contact(

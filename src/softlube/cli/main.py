@@ -42,6 +42,7 @@ app.command("softlube.cli.stribeck:stribeck", name="stribeck", help="Film and fr
 app.command("softlube.cli.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")
 app.command("softlube.cli.curve:curve", name="curve", help="Print or draw any quantity as a function of β.")
 app.command("softlube.cli.calculator:calculator", name="calculator", help="Write a calculator that runs in any browser.")
+app.command("softlube.cli.info:info", name="info", help="Show versions, threads and folders, for a report of a fault.")
 app.command("softlube.cli.cache:cache", name="cache", help="Show or clear what is kept of computed curves.")
 app.command(
     "softlube.cli.reproduce:reproduce",
@@ -54,6 +55,7 @@ app.command(
     name="squeeze",
     help="Press a sphere through a film, or pull it away: film, pressure and load against time.",
 )
+app.register_install_completion_command(help="Make the shell complete commands, options and their choices.")
 
 
 # --- entry point ----------------------------------------------------------------------------------------------------
@@ -112,12 +114,18 @@ _WITHOUT_MODELS = {
 """Commands that take no other substrate or liquid than the paper's, and why."""
 
 
+_RENAMED = {("curve", "--csv"): "--output"}
+"""Options that have another name since 0.3, by their command."""
+
+
 def _unknown(error: UnknownOptionError, command: str) -> str:
     """What to say of an option that a command does not have."""
     from softlube.model.parts import vocabulary
     from softlube.physical.inputs import BODIES
 
     option = (error.token.keyword or error.token.value).split("=")[0]
+    if (command, option) in _RENAMED:
+        return f"{option}: softlube {command} calls it {_RENAMED[command, option]} since 0.3."
     if command in _WITHOUT_MODELS and option.lstrip("-").replace("-", "_") in vocabulary(BODIES):
         return f"{option}: softlube {command} does not take it, {_WITHOUT_MODELS[command]}."
     return " ".join(str(error).split()) + " See softlube --help."

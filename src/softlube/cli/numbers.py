@@ -1,9 +1,9 @@
-"""How options without unit are read.  Light, as the commands import it before they say ``--help``."""
+"""How options without unit are read: numbers, and words of a few.  Light, as ``--help`` imports it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
@@ -28,5 +28,13 @@ def _whole(kind: object, tokens: Sequence[Token]) -> int:
     return int(tokens[0].value)
 
 
+def _word(kind: object, tokens: Sequence[Token]) -> str:
+    """A word as it is given: what it may be, the command says, as Python does."""
+    return tokens[0].value
+
+
+CHOICE = Parameter(converter=_word, allow_leading_hyphen=True)
+"""How a word is read whose choices the help shows and a shell completes."""
+Cavitation = Annotated[Literal["reynolds", "none"], CHOICE]
 FLOAT, WHOLE = Parameter(converter=_number, allow_leading_hyphen=True), Parameter(converter=_whole, allow_leading_hyphen=True)
 """How options without unit are read: numbers, and whole numbers.  A negative one is a value, to be refused with the reason."""

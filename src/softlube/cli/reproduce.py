@@ -36,6 +36,7 @@ def reproduce(
     from rich.console import Console
 
     from softlube.cli.progress import Bar
+    from softlube.cli.table import show
     from softlube.paper.reproduce import disagreements
     from softlube.paper.reproduce import reproduce as run
 
@@ -44,7 +45,7 @@ def reproduce(
 
     console = Console(highlight=False, soft_wrap=True)
     if result.laws:
-        console.print(_law_table(result.laws), soft_wrap=False)
+        show(console, _law_table(result.laws))
     for section, statement in disagreements(result):
         console.print(f"{section.heading.split('.')[0]}: {statement.claim}", markup=False)
         console.print(f"    {statement.remark}", markup=False)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Group, Parameter
 
 from softlube.cli.echo import echo, understood
 from softlube.cli.inputs import PHYSICAL, takes
-from softlube.cli.numbers import FLOAT
+from softlube.cli.numbers import CHOICE, FLOAT, Cavitation
 from softlube.errors import printable
 from softlube.physical.inputs import SLIDING_BODIES, Loading
 
@@ -27,9 +27,9 @@ def solve(
     *,
     beta: Annotated[float | None, FLOAT, Parameter(group=_DIMENSIONLESS)] = None,
     beta_load: Annotated[float | None, FLOAT, Parameter(group=_DIMENSIONLESS)] = None,
-    cavitation: Annotated[str, Parameter(group=_METHOD)] = "reynolds",
+    cavitation: Annotated[Cavitation, Parameter(group=_METHOD)] = "reynolds",
     accuracy: Annotated[float, FLOAT, Parameter(group=_METHOD)] = 1e-3,
-    method: Annotated[str, Parameter(group=_METHOD)] = "newton",
+    method: Annotated[Literal["newton", "relaxation", "cartesian"], CHOICE, Parameter(group=_METHOD)] = "newton",
     budget: Annotated[float, Parameter(group=_METHOD)] = 60.0,
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
@@ -163,13 +163,13 @@ def _fast(physical: dict[str, str], dimensionless: dict[str, Any], cavitation: s
         return 0
     from rich.console import Console
 
-    from softlube.cli.table import text_table
+    from softlube.cli.table import show, text_table
     from softlube.model.summary import steady_rows
 
     console = Console(highlight=False, soft_wrap=True)
     console.print(echo(inputs), markup=False)
     console.print(f"{name} = {problem.parameter:.5g}, read off the master curve: not solved", markup=False)
-    console.print(text_table(steady_rows(problem, quantities, dimensional)), soft_wrap=False)
+    show(console, text_table(steady_rows(problem, quantities, dimensional)))
     for doubt in doubts:
         console.print(f"[bold yellow]Warning:[/] {doubt}.")
     return 0
@@ -201,7 +201,7 @@ def _write_files(solution: Solution, output: str | None, plot: str | None) -> No
 def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str]) -> None:
     from rich.console import Console
 
-    from softlube.cli.table import summary_table
+    from softlube.cli.table import show, summary_table
 
     console = Console(highlight=False, soft_wrap=True)
     console.print(inputs, markup=False)
@@ -209,7 +209,7 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
     console.print(f"β = {solution.beta:.5g} (by the load: {solution.beta_load:.5g}), {condition}", markup=False)
     if solution.contact is None and solution.problem.load_controlled:
         console.print("δ is the Hertz indentation of the load, Eq. (29).")
-    console.print(summary_table(solution.summary()), soft_wrap=False)
+    show(console, summary_table(solution.summary()))
     console.print(_region(solution), markup=False)
     if "lambda_ratio" in solution.dimensional:
         from softlube.physical.roughness import lubrication

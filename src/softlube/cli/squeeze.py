@@ -125,12 +125,12 @@ def _report(result: Transient, what: str, remarks: list[str], last: list[str]) -
     """Print when and why it ended, the last values, remarks, warnings, and what it took."""
     from rich.console import Console
 
-    from softlube.cli.table import summary_table
+    from softlube.cli.table import show, summary_table
 
     console = Console(highlight=False, soft_wrap=True)
     error = f" ± {result.time_error:.2g}" if result.time_error else ""
     console.print(f"After {result.time[-1]:.6g}{error} s{what} ({result.why_it_ended}):", markup=False)
-    console.print(summary_table(result.summary()), soft_wrap=False)
+    show(console, summary_table(result.summary()))
     for remark in remarks:
         console.print(remark, markup=False)
     for warning in result.warnings:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Group, Parameter
 
 from softlube.cli.inputs import takes
-from softlube.cli.numbers import FLOAT, WHOLE
+from softlube.cli.numbers import CHOICE, FLOAT, WHOLE, Cavitation
 from softlube.errors import printable
 from softlube.physical.inputs import BODIES
 
@@ -25,19 +25,19 @@ Motion = Annotated[str | None, Parameter(group=_MOTION, allow_leading_hyphen=Tru
 @takes((_BODIES, BODIES))
 def stribeck(
     *,
-    cavitation: Annotated[str, Parameter(group=_BODIES)] = "reynolds",
+    cavitation: Annotated[Cavitation, Parameter(group=_BODIES)] = "reynolds",
     roughness: Body = None,
     load: Annotated[list[str] | None, Parameter(group=_MOTION, negative=(), allow_leading_hyphen=True)] = None,
     slowest: Motion = None,
     fastest: Motion = None,
     slide_to_roll: Annotated[float, FLOAT, Parameter(group=_MOTION)] = 2.0,
     points: Annotated[int, WHOLE, Parameter(group=_MOTION)] = 61,
-    force: Annotated[str, Parameter(group=_FRICTION)] = "total",
+    force: Annotated[Literal["total", "sphere", "couette"], CHOICE, Parameter(group=_FRICTION)] = "total",
     region: Annotated[str, Parameter(group=_FRICTION)] = "2",
     accuracy: Annotated[float, FLOAT, Parameter(group=_FRICTION)] = 3e-3,
     output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
     plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
-    against: Annotated[str, Parameter(group=_OUTPUT)] = "hersey",
+    against: Annotated[Literal["hersey", "speed"], CHOICE, Parameter(group=_OUTPUT)] = "hersey",
     as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
     **physical: str,
 ) -> int:
@@ -144,22 +144,17 @@ def stribeck(
 
 
 def _report(table: pandas.DataFrame, what: str, doubts: tuple[str, ...], files: list[str]) -> None:
-    from rich import box
     from rich.console import Console
-    from rich.table import Table
 
+    from softlube.cli.table import number_table, show
     from softlube.experiments.stribeck import printed
     from softlube.model.summary import spread
 
     console = Console(highlight=False, soft_wrap=True)
     for load, rows in table.groupby("load [N]", sort=False):
         head, texts = printed(rows)
-        grid = Table(box=box.SIMPLE_HEAD, pad_edge=False, title=f"load {1e3 * float(str(load)):.4g} mN", title_justify="left")
-        for column in head:
-            grid.add_column(column, justify="right", no_wrap=True)
-        for row in spread(len(texts)):
-            grid.add_row(*texts[row])
-        console.print(grid, soft_wrap=False)
+        chosen = [texts[row] for row in spread(len(texts))]
+        show(console, number_table(chosen, head, title=f"load {1e3 * float(str(load)):.4g} mN"))
     console.print("Speed: mean of both surfaces. Friction: coefficient. Least: thinnest film. Errors: see --output.")
     console.print(f"Friction is {what}.", markup=False)
     beyond = int(table["friction [N]"].isna().sum())

@@ -25,6 +25,7 @@ from softlube.solvers.progress import Listener, Progress
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.floating]
 
@@ -154,7 +155,7 @@ class Fit(Summarised):
             "notices": list(self.model.data.notices),
         }
 
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
         """Collapse on the load curve and residuals; written to `path` if given."""
         from softlube.plots.experiments import plot_fit
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 import html
 import math
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +32,8 @@ MOST_ROWS = 13
 _STYLE = ".softlube td,.softlube th{text-align:left}.softlube .n{text-align:right}"
 
 
-class Summary(NamedTuple):
+@dataclass(frozen=True, repr=False)
+class Summary:
     """A table of texts with a line above it and notes below; a notebook shows it as HTML, ``print`` as text.
 
     Attributes
@@ -67,7 +69,8 @@ class Summary(NamedTuple):
         ]
         return "\n".join([self.title, *lines, *(f"{note}." for note in self.notes)])
 
-    __repr__ = __str__
+    def __repr__(self) -> str:
+        return str(self)
 
     def _repr_html_(self) -> str:
         def line(row: Row, tag: str) -> str:

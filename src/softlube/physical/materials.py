@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -64,7 +64,16 @@ class Materials:
                 f"got {self.substrate.radius:.4g} m"
             )
 
-    def __getattr__(self, name: str) -> Any:
+    if TYPE_CHECKING:  # every contact has them, whatever its parts
+
+        @property
+        def radius(self) -> float: ...
+        @property
+        def viscosity(self) -> float: ...
+        @property
+        def density(self) -> float: ...
+
+    def __getattr__(self, name: str) -> float | str | None:
         """An input of one of the parts."""
         for part in vars(self).values():
             if isinstance(part, Part):

@@ -7,7 +7,6 @@ import time
 from collections import deque
 from collections.abc import Hashable, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, wait
-from typing import Any
 
 from softlube.errors import InputError
 from softlube.solvers.notebook import watched
@@ -26,7 +25,7 @@ BEAT = 0.5
 
 @watched
 def sweep(
-    plan: Plan | Mapping[str, Any] | str | os.PathLike[str],
+    plan: Plan | Mapping[str, object] | str | os.PathLike[str],
     *,
     store: str | os.PathLike[str] | None = None,
     motion: str = "steady",
