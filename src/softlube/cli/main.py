@@ -55,7 +55,11 @@ app.command(
     name="squeeze",
     help="Press a sphere through a film, or pull it away: film, pressure and load against time.",
 )
-app.register_install_completion_command(help="Make the shell complete commands, options and their choices.")
+app.command(
+    "softlube.cli.completion:install_completion",
+    name="--install-completion",
+    help="Make the shell complete commands, options and their choices.",
+)
 
 
 # --- entry point ----------------------------------------------------------------------------------------------------
