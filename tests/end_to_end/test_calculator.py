@@ -13,6 +13,7 @@ import pytest
 from softlube.cli.main import main
 from softlube.physical.contact import Contact
 from softlube.plots.calculator.export import exported
+from softlube.theory import master_curve
 
 AGREEMENT = 1e-10
 FIRST = exported()["first"]
@@ -52,6 +53,19 @@ def test_typing_a_wrong_unit_is_refused_in_place(open_page):
     assert not page.locator("#refusal").is_visible()
     assert page.locator("#card-film_min .value").inner_text() == "78.713"
     until(page, "document.getElementById('announcement').textContent.includes('minimum film 78.713 nm')")
+
+
+def test_a_contact_that_is_refused_marks_the_field_that_it_names(open_page):
+    page = open_page()
+    set_text(page, "load", "1 MN")
+    assert page.locator("#load-message").inner_text().startswith("makes a contact of radius ")
+    assert page.locator("#load").get_attribute("aria-invalid") == "true"
+    assert page.locator("#radius").get_attribute("aria-invalid") == "false"
+    page.locator("#load-choice").select_option("indentation")
+    set_text(page, "load", "-1 um")
+    assert page.locator("#load-message").inner_text() == master_curve.NO_GAPS.removeprefix("indentation: ")
+    set_text(page, "load", "1 um")
+    assert page.locator("#load-message").inner_text() == ""
 
 
 def test_the_link_keeps_the_state(open_page):
@@ -212,7 +226,7 @@ def test_slider_to_redraw(open_page):
     assert page.locator("#speed").input_value() != FIRST["speed"]
 
 
-@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("width", [1280, 1000, 820, 390, 320])
 def test_it_fits(open_page, width):
     page = open_page(viewport={"width": width, "height": 844})
     assert page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth") <= 0

@@ -44,12 +44,24 @@ function showFields(typed) {
     if (field !== typed && field.value !== text) field.value = text || calculator.inputs[name].choices[0] || "";
     const missing = !text.trim() && (calculator.inputs[name].required || PAIRS.flat().includes(name));
     const refusal = missing ? `missing; expected ${calculator.inputs[name].expected}` : refusalOf(name);
-    const message = element(`${field.id}-message`);
-    field.setAttribute("aria-invalid", String(Boolean(refusal)));
-    if (message) message.textContent = refusal;
+    mark(field, refusal);
     const slider = element(`${field.id}-slider`);
     if (slider) showSlider(slider, name, text, refusal);
   }
+}
+
+/** Mark a field as wrong, with the reason; as right without one. */
+function mark(field, refusal) {
+  const message = element(`${field.id}-message`);
+  field.setAttribute("aria-invalid", String(Boolean(refusal)));
+  if (message) message.textContent = refusal;
+}
+
+/** Mark the field that a refusal of the whole contact names, unless something is wrong with it already. */
+function markNamed(refusal) {
+  const [, name, reason] = /^(\w+): (.*)$/s.exec(refusal) ?? [];
+  const field = fields.find((each) => nameOf(each) === name);
+  if (field?.getAttribute("aria-invalid") === "false") mark(field, reason);
 }
 
 function showSlider(slider, name, text, refusal) {
@@ -165,6 +177,7 @@ function update(typed) {
     refusal = error.message;
   }
   showFields(typed);
+  markNamed(refusal);
   element("refusal").hidden = !refusal;
   element("refusal").textContent = refusal;
   document.body.classList.toggle("refused", !contact);
