@@ -84,7 +84,7 @@ function resultOf(contact, { name, place, dimension }) {
   const quantity = contact.dimensional[name];
   if (quantity) return engineering(calculator.prefixes, quantity);
   const { value, error } = contact.quantities[name] ?? {};
-  return value === undefined || !(place && dimension === "angle") ? ["–", "", ""] : [...rounded(value, error), "°"];
+  return place && dimension === "angle" ? [...rounded(value, error), "°"] : ["–", "", ""];
 }
 
 const rows = [...calculator.quantities, ...calculator.derived].filter(({ name }) => element(`row-${name}`));
@@ -93,7 +93,7 @@ function showNumbers(contact) {
   for (const row of rows) {
     const result = contact ? resultOf(contact, row) : ["–", "", ""];
     setResult(`row-${row.name}`, result);
-    element(`row-${row.name}`).hidden = row.name === "lambda_ratio" && Boolean(contact) && contact.inputs.roughness === null;
+    element(`row-${row.name}`).hidden = Boolean(contact) && !(row.name in contact.dimensional) && !(row.name in contact.quantities);
     if (HEADLINE.includes(row.name)) setResult(`card-${row.name}`, result);
   }
   element("summary").textContent = contact ? summary(contact) : "Refused: see the field above.";
