@@ -40,9 +40,26 @@ def test_text_is_escaped_and_verdicts_are_counted(tmp_path, picture):
     assert "<some>" not in page
     assert "1 statements and numbers agree and 1 differ" in page
     assert "3 contacts solved and 1 figures drawn in 12 s" in page
-    assert "data/figure-5-a.csv" in page
+    assert '<a href="data/figure-5-a.csv">data/figure-5-a.csv</a>' in page
+    assert '<a href="figures/figure-5.png">' in page
+    assert '<a href="figures/figure-5.pdf">' in page
     assert 'id="laws"' not in page
     assert sorted(p.name for p in tmp_path.iterdir()) == ["figure-5.png", "report.html"]
+
+
+def test_powers_are_set_as_mathematics(tmp_path, picture):
+    statements = (Statement("u follows β^(−3/5) < 1", "9 β^(−0.58)", "8·10^-4 N", remark="G δ^2"),)
+    write_report(tmp_path / "report.html", [Section("6", "Film", "times β^(3/5)", picture, (), statements)], [], 1, 1.0)
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    for text in (
+        "β<sup>−3/5</sup> &lt; 1",
+        "9 β<sup>−0.58</sup>",
+        "8·10<sup>-4</sup> N",
+        "G δ<sup>2</sup>",
+        "times β<sup>3/5</sup>",
+    ):
+        assert text in page
+    assert "^" not in page.replace('alt="times β^(3/5)"', "")
 
 
 def test_laws_of_the_report(tmp_path, picture):

@@ -9,7 +9,7 @@ import pytest
 import softlube
 from softlube.experiments.friction_model import make_model
 from softlube.experiments.measurements import Measurements
-from softlube.plots.experiments import MOST_DOTS, _some, plot_fit, plot_stribeck
+from softlube.plots.experiments import COLOURS, MOST_DOTS, _some, plot_fit, plot_stribeck
 
 
 @pytest.fixture(scope="module")
@@ -76,16 +76,31 @@ def test_a_stribeck_curve(table, tmp_path, against, column):
     figure = plot_stribeck(table, tmp_path / "s.png", against=against)
     assert (tmp_path / "s.png").read_bytes().startswith(b"\x89PNG")
     friction, film = figure.axes
-    first, second = (line for line in friction.get_lines() if line.get_color() != "0.75")
+    first, second = friction.get_lines()  # λ = 2 is no full film: the curve is there in grey only
+    assert {line.get_color() for line in (first, second)} == {"0.55"}
+    assert first.get_marker() != second.get_marker()
     assert first.get_xdata() == pytest.approx(table[column][:5])
-    assert np.isnan(first.get_ydata()).all()  # λ = 2 is no full film: the curve is there in grey only
-    grey = next(line for line in friction.get_lines() if line.get_color() == "0.75")
-    assert grey.get_ydata() == pytest.approx(0.01 * table["entrainment_speed [m/s]"][:5] ** 0.5)
-    assert (first.get_label(), second.get_label()) == ("50 mN", "100 mN")
-    centre, _, least, _, lambda_3 = film.get_lines()[:5]
+    assert first.get_ydata() == pytest.approx(0.01 * table["entrainment_speed [m/s]"][:5] ** 0.5)
+    assert [text.get_text() for text in friction.get_legend().get_texts()] == ["50 mN", "100 mN"]
+    assert [text.get_text() for text in film.get_legend().get_texts()][:2] == ["centre", "minimum"]
+    centre, least = film.get_lines()[:2]
     assert centre.get_ydata() == pytest.approx(np.full(5, 200))
     assert least.get_ydata() == pytest.approx(np.full(5, 100))
+    assert (centre.get_linestyle(), least.get_linestyle()) == ("-", "--")
+    lambda_3 = next(line for line in film.get_lines() if line.get_label() == "λ = 3: full film above")
     assert lambda_3.get_ydata()[0] == pytest.approx(150)  # three times the roughness, 100 nm over λ = 2
+
+
+def test_regimes_have_their_greys(table):
+    table = table[table["load [N]"] < 0.07].assign(lambda_ratio=[0.5, 0.9, 2.0, 4.0, 8.0])
+    table["film_min [m]"] = 5e-8 * table["lambda_ratio"]
+    friction, film = plot_stribeck(table).axes
+    drawn = {line.get_color(): np.flatnonzero(np.isfinite(line.get_ydata())).tolist() for line in friction.get_lines()}
+    assert drawn == {"0.75": [0, 1, 2], "0.55": [2, 3], COLOURS[0]: [3, 4]}
+    labels = [text.get_text() for text in film.get_legend().get_texts()]
+    assert labels == ["centre", "minimum", "λ = 3: full film above", "λ < 1: the surfaces touch"]
+    (band,) = [patch for patch in film.patches if patch.get_height() > 0]
+    assert band.get_y() + band.get_height() == pytest.approx(50)
 
 
 def test_a_picture_of_another_kind_is_refused(table, tmp_path):

@@ -48,3 +48,11 @@ def test_formats(physical, tmp_path, ending, magic):
 def test_unknown_format_is_refused(solution, tmp_path):
     with pytest.raises(softlube.InputError, match=r"plot: expected a file ending in"):
         solution.plot(tmp_path / "a.xyz")
+
+
+def test_marks_are_explained(physical, solution):
+    film, pressure = plot(physical).axes[:2]
+    assert film.get_title(loc="right") == "dashed: dry contact; +: minimum film"
+    assert pressure.get_title(loc="right") == "dashed: dry contact"
+    for ax in (film, pressure):
+        assert {"sphere slides →", "inlet"} <= {text.get_text() for text in ax.texts}

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from softlube.paper.figures.base import Statement, number
 from softlube.steady.solution import Solution
 from softlube.theory.scaling import LAWS, PAPER_RANGE, compare
+
+if TYPE_CHECKING:
+    from markupsafe import Markup
 
 
 @dataclass(frozen=True)
@@ -88,6 +93,13 @@ def _embedded(picture: Path) -> str:
     return "data:image/png;base64," + base64.b64encode(picture.read_bytes()).decode("ascii")
 
 
+def _powers(text: str) -> Markup:
+    """A text for HTML whose powers, written β^(−3/5), stand as superscripts."""
+    from markupsafe import Markup, escape
+
+    return Markup(re.sub(r"\^(?:\(([^()]*)\)|([−-]?[0-9/.]+|[a-z]+\b))", r"<sup>\1\2</sup>", str(escape(text))))
+
+
 def write_report(path: Path, sections: Sequence[Section], laws: Sequence[Law], cases: int, seconds: float) -> None:
     """Write report.html: everything it shows is in it, so that it opens anywhere and without a network.
 
@@ -113,7 +125,7 @@ def write_report(path: Path, sections: Sequence[Section], laws: Sequence[Law], c
     environment = Environment(
         loader=PackageLoader("softlube.paper"), autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    environment.filters |= {"embedded": _embedded, "number": number}
+    environment.filters |= {"embedded": _embedded, "number": number, "powers": _powers}
     counts = {verdict: sum(s.verdict == verdict for section in sections for s in section.statements) for verdict in VERDICTS}
     page = environment.get_template("report.html.jinja").render(
         sections=sections,

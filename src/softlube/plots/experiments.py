@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from softlube.errors import printable
 from softlube.experiments.friction_model import PAPER_FIT
 from softlube.files.writing import write_whole
-from softlube.physical.roughness import FULL_FILM
+from softlube.physical.roughness import FULL_FILM, MIXED
+from softlube.plots.axes import label_logarithmic
 from softlube.plots.solution import check_format, image
 
 if TYPE_CHECKING:
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from softlube.experiments.fit import Fit
+
+Array = NDArray[np.floating]
 
 STYLE = {
     "font.size": 8,
@@ -29,6 +33,8 @@ STYLE = {
     "legend.frameon": False,
 }
 COLOURS = ("#1b6ca8", "#c1432e", "#4c8c4a", "#7a5195", "#b8860b", "#444444")
+MARKERS, MARKS = ("o", "s", "^", "D", "v", "X"), 8
+"""Marks that tell loads apart without colour, and about how many stand on a curve."""
 MOST_DOTS = 20_000
 """Points drawn; more would be a blot, and a file of many megabytes."""
 
@@ -85,6 +91,7 @@ def _collapse(ax: Axes, found: Fit) -> None:
         ax.plot(line, family.friction(load_drawn, line, force=found.model.force), style, color="black", lw=1, label=name)
     ax.plot(line, PAPER_FIT[0] * line ** -PAPER_FIT[1], ":", color="black", lw=1, label="paper, Eq. (28)")
     ax.set(xscale="log", yscale="log", xlabel=r"$\beta$", ylabel=r"$3F/(2\pi G\delta^2)$")
+    label_logarithmic(ax)
     ax.legend(loc="lower left")
 
 
@@ -97,6 +104,7 @@ def _residuals(ax: Axes, found: Fit) -> None:
         ax.axhline(side * percent * found.scatter, color="black", lw=0.8, ls=":")
     label = "ln(measured/model) [%]" if percent == 100 else "(measured − model) over median friction"
     ax.set(xscale="log", xlabel=r"$\beta$", ylabel=label)
+    label_logarithmic(ax)
     ax.set_title("dotted: twice the scatter", loc="right", fontsize=7)
 
 
@@ -114,32 +122,62 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
     """
     from matplotlib import rc_context
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
     column = "hersey" if against == "hersey" else "entrainment_speed [m/s]"
     label = "Hersey number ηUR/N" if against == "hersey" else "entrainment speed [m/s]"
+    rough = "lambda_ratio" in table
     with rc_context(STYLE):
-        figure = Figure(figsize=(7.0, 3.0), layout="constrained")
+        figure = Figure(figsize=(7.0, 3.3), layout="constrained")
         friction, film = figure.subplots(1, 2)
+        loads = []
         for number, (load, rows) in enumerate(table.groupby("load [N]", sort=False)):
-            colour = COLOURS[number % len(COLOURS)]
-            full = np.asarray(rows["lambda_ratio"] >= FULL_FILM if "lambda_ratio" in rows else np.isfinite(rows[column]))
-            grey = ~np.logical_and(
-                full, np.append(True, full[:-1])
-            )  # up to the first full film: more would show through dashes
-            name = f"{1e3 * float(str(load)):.4g} mN"
+            every = max(len(rows) // MARKS, 1)
+            drawn: dict[str, Any] = {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)]}
+            drawn |= {"ms": 3.5, "mfc": "white", "mew": 0.8, "lw": 1.2}
+            loads.append(Line2D([], [], label=f"{1e3 * float(str(load)):.4g} mN", **drawn))
+            drawn |= {"markevery": (number % every, every)}
+            ratio = np.asarray(rows["lambda_ratio"] if rough else np.where(np.isfinite(rows[column]), np.inf, np.nan))
             for axes, style, values in (
                 (friction, "-", np.abs(rows["friction_coefficient"])),
                 (film, "-", 1e9 * rows["film_center [m]"]),
                 (film, "--", 1e9 * rows["film_min [m]"]),
             ):
-                axes.plot(rows[column], np.where(grey, values, np.nan), style, color="0.75", lw=1.2)
-                axes.plot(rows[column], np.where(full, values, np.nan), style, color=colour, lw=1.2, label=name)
-            if "lambda_ratio" in rows and not number:
-                height = float((rows["film_min [m]"] / rows["lambda_ratio"]).dropna().iloc[0])
-                film.axhline(1e9 * FULL_FILM * height, color="0.5", lw=0.8, ls=":")
+                _in_regimes(axes, np.asarray(rows[column]), np.asarray(values), ratio, style, drawn)
         friction.set(xscale="log", yscale="log", xlabel=label, ylabel="friction coefficient (magnitude)")
-        film.set(xscale="log", yscale="log", xlabel=label, ylabel="film [nm]: centre (full), least (dashed)")
-        if "lambda_ratio" in table:
-            film.set_title(f"dotted: λ = {FULL_FILM:g}; grey: no full film", loc="right", fontsize=7)
-        friction.legend()
+        film.set(xscale="log", yscale="log", xlabel=label, ylabel="film [nm]")
+        films = [Line2D([], [], color="black", ls=style, label=name) for style, name in (("-", "centre"), ("--", "minimum"))]
+        if rough:
+            heights = 1e9 * (table["film_min [m]"] / table["lambda_ratio"])
+            films += _roughness(film, float(heights.dropna().iloc[0]))
+        film.legend(handles=films, loc="upper left")
+        friction.legend(handles=loads)
+        for axes in (friction, film):
+            label_logarithmic(axes)
         return _write(figure, path)
+
+
+def _in_regimes(ax: Axes, x: Array, y: Array, ratio: Array, style: str, drawn: dict[str, Any]) -> None:
+    """A curve with marks: in its colour where there is a full film, grey below, light grey for λ < 1."""
+    kind = np.digitize(ratio, (MIXED, FULL_FILM))
+    between = np.minimum(kind[:-1], kind[1:])
+    for number, grey in enumerate(("0.75", "0.55", "")):
+        ends = np.append(between == number, False) | np.append(False, between == number)
+        if ends.any():
+            look: dict[str, Any] = drawn | ({"color": grey} if grey else {})
+            ax.plot(x, np.where(ends, y, np.nan), style, **look)
+
+
+def _roughness(ax: Axes, height: float) -> list[Any]:
+    """Where films are thinner than the roughness [nm], and where full films begin; gives what the legend needs of it."""
+    from matplotlib.patches import Patch
+
+    low, high = ax.get_ylim()
+    found: list[Any] = []
+    if low < FULL_FILM * height < high:
+        found.append(ax.axhline(FULL_FILM * height, color="0.5", lw=0.8, ls=":", label=f"λ = {FULL_FILM:g}: full film above"))
+    if low < MIXED * height:
+        ax.axhspan(low, MIXED * height, color="0.93", lw=0, zorder=0)
+        found.append(Patch(color="0.93", label=f"λ < {MIXED:g}: the surfaces touch"))
+    ax.set_ylim(low, high)
+    return found

@@ -15,6 +15,8 @@ from softlube.model.prefixes import prefixed
 from softlube.model.quantities import FIELDS, QUANTITIES
 from softlube.model.substrates import HalfSpaceKernel
 from softlube.physical.roughness import FULL_FILM
+from softlube.plots.axes import label_logarithmic
+from softlube.plots.spike import INNERMOST, Ridge, ridge
 from softlube.steady.regime import Regime
 
 if TYPE_CHECKING:
@@ -29,6 +31,9 @@ if TYPE_CHECKING:
 MAP_RADIUS, PROFILE_RADIUS = 1.4, 2.0
 """Half the side of the maps and half the length of the profiles, over the contact radius; more under a thick film."""
 FILM_COLOUR, PRESSURE_COLOUR = "#0072B2", "#D55E00"  # Okabe & Ito, safe for colour-blind readers
+OVER = "#56B4E9"  # Okabe & Ito, too
+RAYS = 241
+"""Rays from the axis, over half a turn, on which a pressure with a spike is drawn."""
 STYLE = {
     "font.size": 8,
     "axes.labelsize": 8,
@@ -130,7 +135,8 @@ def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figu
     """Maps of film and pressure, and their profiles in the two mid-planes.
 
     The inlet is on the right, as in the paper: the sphere slides in the direction +x.  Dashed circle and dotted line: the dry
-    contact on the substrate.  Where a roughness is given, films below three times the roughness are grey.
+    contact on the substrate; crosses: the minimum film.  The colours of a pressure with a spike end at the pressure in the
+    middle.  Where a roughness is given, films below three times the roughness are grey.
 
     Parameters
     ----------
@@ -169,13 +175,14 @@ def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figu
 
 def _map(ax: Axes, solution: Solution, field: str) -> None:
     """One field over the plane, with the dry contact on the substrate as a dashed circle."""
+    from matplotlib import colormaps
     from matplotlib.ticker import MaxNLocator
 
     length, length_label, film, film_label, pressure, pressure_label = _scales(solution)
     axis = np.linspace(-MAP_RADIUS, MAP_RADIUS, 401) * _width(solution)
     x, y = np.meshgrid(axis, axis)
     r, theta = np.hypot(x, y), np.arctan2(y, x)
-    fields = solution.fields
+    fields, marks = solution.fields, []
     if field == "film":
         values = fields.film_at(r, theta) * film
         # The film outside the contact is tens of times that inside, where the interest lies.
@@ -190,16 +197,34 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
         )
         spots = np.array([1, -1]) * r_min * np.sin(angle)
         ax.plot([r_min * np.cos(angle) * length] * 2, spots * length, "+", color="white", ms=5, mew=0.9)
+        if np.isfinite(r_min):
+            marks.append("+: minimum film")
     else:
-        values = fields.pressure_at(r, theta) * pressure
-        levels = MaxNLocator(14).tick_values(min(values.min(), 0.0), values.max())
-        mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap="magma")
+        crest = ridge(fields)
+        if crest is None:
+            values = fields.pressure_at(r, theta) * pressure
+            highest = values.max()
+        else:
+            x, y, values = _along_ridge(crest, axis[-1])
+            # The grid knows the height of a narrow spike at its nodes only, so the colours end at the pressure in the middle.
+            values, highest = values * pressure, float(fields.pressure[fields.r < INNERMOST].max()) * pressure
+        levels = MaxNLocator(14).tick_values(min(values.min(), 0.0), highest)
+        colours = colormaps["magma"].with_extremes(over=OVER)
+        extend = "neither" if crest is None else "max"
+        mesh = ax.contourf(x * length, y * length, values, levels=levels, cmap=colours, extend=extend)
+        if crest is not None:
+            marks.append("blue: the spike, above the scale")
+        ax.set(xlim=np.array([-1, 1]) * axis[-1] * length, ylim=np.array([-1, 1]) * axis[-1] * length)
         label = pressure_label
     mesh.set_edgecolor("face")
     dry = _dry(solution)
     if dry is not None:
+        marks.insert(0, "dashed: dry contact")
         angle = np.linspace(0, 2 * np.pi, 200)
         ax.plot(dry.radius * np.cos(angle) * length, dry.radius * np.sin(angle) * length, "--", color="white", lw=0.7)
+    ink = "black" if field == "film" else "white"  # on the brightest and the darkest colour of the maps
+    ax.set_title("; ".join(marks if field == "film" else marks[-1:]), loc="right", fontsize=7)
+    ax.text(0.5, 0.025, "sphere slides →", transform=ax.transAxes, ha="center", color=ink, fontsize=7)
     ax.annotate(
         "inlet",
         (0.985, 0.5),
@@ -207,12 +232,20 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
         ha="right",
         va="center",
         rotation=-90,
-        color="black" if field == "film" else "white",  # on the brightest and the darkest colour of the maps
+        color=ink,
         fontsize=7,
     )
     ax.set(aspect="equal", xlabel=f"$x${length_label}", ylabel=f"$y${length_label}")
     bar = ax.figure.colorbar(mesh, cax=ax.inset_axes((1.04, 0, 0.05, 1)), label=label, ticks=levels[::2])
     bar.outline.set_linewidth(0.5)
+
+
+def _along_ridge(crest: Ridge, side: float) -> tuple[NDArray[np.floating], NDArray[np.floating], NDArray[np.floating]]:
+    """x, y and pressure on rays from the axis, which cover a square of half the side `side`."""
+    angles = np.linspace(0.0, np.pi, RAYS)
+    r, values = crest.pressure(angles, np.sqrt(2) * side)
+    x, y = r * np.cos(angles)[:, None], r * np.sin(angles)[:, None]
+    return np.vstack([x[::-1], x]), np.vstack([-y[::-1], y]), np.vstack([values[::-1], values])
 
 
 def _profile(ax: Axes, solution: Solution, direction: str) -> None:
@@ -232,7 +265,14 @@ def _profile(ax: Axes, solution: Solution, direction: str) -> None:
     ax.set_ylabel(film_label, color=FILM_COLOUR)
     ax.tick_params(axis="y", colors=FILM_COLOUR)
     other = ax.twinx()
-    other.plot(place * length, fields.pressure_at(r, theta) * pressure, color=PRESSURE_COLOUR)
+    crest = ridge(fields)
+    if crest is None:
+        other.plot(place * length, fields.pressure_at(r, theta) * pressure, color=PRESSURE_COLOUR)
+    else:
+        ends = np.array([np.pi, 0.0] if direction == "x" else [np.pi / 2] * 2)
+        (left, right), (behind, ahead) = crest.pressure(ends, float(place[-1]))
+        line = np.concatenate([behind[::-1], ahead]) * pressure
+        other.plot(np.concatenate([-left[::-1], right]) * length, line, color=PRESSURE_COLOUR)
     dry = _dry(solution)
     if dry is not None:
         name = "Hertz" if solution.problem.substrate == HalfSpaceKernel() else "dry contact"
@@ -286,5 +326,6 @@ def plot_curves(curves: Mapping[str, Curve | Interpolant], symbol: str, between:
             lower.semilogx(beta, curve.exponent(beta), color=colour, lw=1.2)
         upper.legend(fontsize=6)
         upper.set_ylabel("normalised value")
+        label_logarithmic(upper)
         lower.set(xlabel=r"$\beta$" if symbol == "beta" else r"$\beta$ by the load", ylabel="local exponent", xlim=between)
     return figure
