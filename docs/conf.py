@@ -36,6 +36,7 @@ html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_show_copyright = False
 html_copy_source = False
+html_show_search_summary = False  # it fetches pages, which browsers refuse for a site that is opened as files
 
 myst_heading_anchors = 4
 myst_enable_extensions = ["deflist"]

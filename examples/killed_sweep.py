@@ -12,6 +12,7 @@ import time
 from contextlib import closing
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import pandas as pd
 
 import softlube
@@ -66,3 +67,14 @@ whole = softlube.sweep("plan.toml", store="whole.sweep", workers=1)
 whole.save("whole.csv")
 print("same table:", Path("whole.csv").read_bytes() == Path("plan-results.csv").read_bytes())
 print(table[["speed [m/s]", "load [N]", "film_min [m]", "film_min_error [m]", "friction_coefficient"]].iloc[::12].to_string())
+
+# %%
+# What was swept: the minimum film against the speed.
+
+figure, axes = plt.subplots(figsize=(5, 3.2), layout="constrained")
+for (load, rows), style in zip(table.groupby("load [N]"), ("-", "--", ":"), strict=True):
+    axes.loglog(1e3 * rows["speed [m/s]"], 1e9 * rows["film_min [m]"], style, label=f"{1e3 * load:g} mN")
+axes.set(xlabel="speed [mm/s]", ylabel="minimum film [nm]")
+axes.legend()
+figure.savefig("killed_sweep.png")
+plt.close(figure)

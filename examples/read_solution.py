@@ -5,6 +5,7 @@ A solution goes to a NetCDF file whole, with its inputs, errors and history, and
 reads it, too.
 """
 
+import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
 
@@ -25,3 +26,15 @@ print("film on the y axis at r = 0.9:", float(solution.fields.film_at(0.9, np.pi
 with xr.open_dataset("contact.nc", engine="h5netcdf") as dataset:
     print(dataset["pressure"].sizes, dataset.attrs["softlube_version"])
     highest = float(dataset["pressure"].max())
+
+# %%
+# The film along the y axis, across the sliding, between the nodes of the grid. It is thinnest near the edge of
+# the contact:
+
+y = np.linspace(0.0, 1.2, 200)
+film = solution.fields.film_at(y, np.full_like(y, np.pi / 2))
+figure, axes = plt.subplots(figsize=(5, 3.2), layout="constrained")
+axes.plot(y, film)
+axes.set(xlabel="y / a", ylabel="film / |h₀|", ylim=(0, 0.1))
+figure.savefig("read_solution.png")
+plt.close(figure)

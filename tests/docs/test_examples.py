@@ -78,12 +78,16 @@ def test_killed_sweep(tmp_path, monkeypatch, capfd):
     assert f"{names['kept']} were in the store, {36 - names['kept']} solved now" in names["second"].stdout
     assert "same table: True" in capfd.readouterr().out
     assert names["table"]["film_min [m]"].iloc[0] == pytest.approx(46.32e-9, rel=1e-3)
+    assert (tmp_path / "killed_sweep.png").exists()
 
 
 def test_read_solution(tmp_path, monkeypatch):
     names = run("read_solution", tmp_path, monkeypatch)
     # Below the Hertz maximum 2/π² at so small a β, and above none of it
     assert names["highest"] == pytest.approx(2 / np.pi**2, rel=0.02)
+    # The y axis passes beside the side lobe, which lies behind it.
+    assert float(names["solution"].film_min) < names["film"].min() < float(names["solution"].film_center)
+    assert (tmp_path / "read_solution.png").exists()
 
 
 def test_the_synthetic_data_are_what_the_script_makes_and_say_that_they_are_synthetic(tmp_path, monkeypatch):

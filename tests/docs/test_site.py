@@ -30,42 +30,47 @@ class Visit:
 
 
 @pytest.fixture(scope="module")
-def visits():
-    """All pages, each opened once."""
-    site = Path(os.environ["SOFTLUBE_SITE"]).resolve()
+def site():
+    return Path(os.environ["SOFTLUBE_SITE"]).resolve()
+
+
+@pytest.fixture(scope="module")
+def open_browser():
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
     if chromium is None:
         pytest.skip("no chromium on this machine (apt-get install chromium)")
     sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed (pip install '.[test]')")
-    seen: dict[str, Visit] = {}
     with sync_api.sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        try:
-            page = browser.new_context(offline=True).new_page()
-            complaints: list[str] = []
-            page.on("console", lambda message: complaints.append(message.text))
-            page.on("pageerror", lambda error: complaints.append(str(error)))
-            page.on("requestfailed", lambda request: complaints.append(f"not loaded: {request.url}"))
-            for path in sorted(site.rglob("*.html")):
-                page.goto(path.as_uri())
-                visit = Visit(
-                    excess={},
-                    complaints=complaints.copy(),
-                    broken_images=page.evaluate(
-                        "[...document.images].filter(i => i.loading != 'lazy' && !i.naturalWidth).map(i => i.src)"
-                    ),
-                    links=page.evaluate("[...document.querySelectorAll('a[href]')].map(a => a.href)"),
-                    anchors=set(page.evaluate("[...document.querySelectorAll('[id]')].map(e => e.id)")),
-                )
-                for width in WIDTHS:
-                    page.set_viewport_size({"width": width, "height": 900})
-                    visit.excess[width] = page.evaluate(
-                        "document.documentElement.scrollWidth - document.documentElement.clientWidth"
-                    )
-                complaints.clear()
-                seen[path.as_uri()] = visit
-        finally:
-            browser.close()
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="module")
+def visits(site, open_browser):
+    """All pages, each opened once."""
+    seen: dict[str, Visit] = {}
+    page = open_browser.new_context(offline=True).new_page()
+    complaints: list[str] = []
+    page.on("console", lambda message: complaints.append(message.text))
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.on("requestfailed", lambda request: complaints.append(f"not loaded: {request.url}"))
+    for path in sorted(site.rglob("*.html")):
+        page.goto(path.as_uri())
+        visit = Visit(
+            excess={},
+            complaints=complaints.copy(),
+            broken_images=page.evaluate(
+                "[...document.images].filter(i => i.loading != 'lazy' && !i.naturalWidth).map(i => i.src)"
+            ),
+            links=page.evaluate("[...document.querySelectorAll('a[href]')].map(a => a.href)"),
+            anchors=set(page.evaluate("[...document.querySelectorAll('[id]')].map(e => e.id)")),
+        )
+        for width in WIDTHS:
+            page.set_viewport_size({"width": width, "height": 900})
+            visit.excess[width] = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+        complaints.clear()
+        seen[path.as_uri()] = visit
     return seen
 
 
@@ -85,6 +90,16 @@ def test_pages_say_nothing_on_the_console(visits):
 
 def test_pictures_are_there(visits):
     assert {url: visit.broken_images for url, visit in visits.items() if visit.broken_images} == {}
+
+
+def test_search_finds_pages_without_a_server(site, open_browser):
+    page = open_browser.new_context(offline=True).new_page()
+    said = []
+    page.on("console", lambda message: said.append(message.text))
+    page.goto(f"{(site / 'search.html').as_uri()}?q=starvation")
+    page.locator("#search-results li a").first.wait_for()
+    assert any("What softlube does not model" in text for text in page.locator("#search-results li a").all_inner_texts())
+    assert said == []
 
 
 def test_links_lead_somewhere(visits):

@@ -215,7 +215,7 @@ def friction_contact_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
 SIDE_FILM = {"reynolds": 0.458965, "none": 0.454036}
 """Minimum film of the side problem in its own units, `softlube.side.side_film` at τ = `SIDE_TIME`; correct to 5e-6.
 
-Kept here because the march takes seconds; tests/test_side.py repeats it."""
+Kept here because the march takes seconds; tests/theory/test_side.py repeats it."""
 SIDE_TIME = {"reynolds": 0.5290, "none": 0.6377}
 """Time τ, the angle behind 90° in units of (βA³)^(−1/4), at which the side problem has its minimum film."""
 
