@@ -45,6 +45,8 @@ default_role = "code"
 autodoc_typehints = "none"  # the docstrings say what the arguments are
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
+# File names of classes that differ from a function's in the case only, which some file systems do not tell apart.
+autosummary_filename_map = {f"softlube.{name}": f"softlube.{name}-class" for name in ("Fit", "Slide", "Squeeze", "Sweep")}
 
 # The calculator is a page by itself, beside the others.
 (HERE / "_extra").mkdir(exist_ok=True)

@@ -1,5 +1,6 @@
 """What the documentation shows is what the command makes."""
 
+import inspect
 import re
 from pathlib import Path
 
@@ -35,6 +36,17 @@ def test_links_between_the_pages_lead_somewhere():
             if tutorial := re.fullmatch(r"(?:\.\./)?tutorials/(\w+)", target):  # made from the examples
                 path = ROOT / "examples" / ("GALLERY_HEADER.rst" if tutorial[1] == "index" else f"{tutorial[1]}.py")
             assert path.exists(), f"{page.name}: {target}"
+
+
+def test_reference_has_every_public_name():
+    folder = ROOT / "docs" / "reference"
+    python, modules = ((folder / f"{page}.md").read_text(encoding="utf-8") for page in ("python", "modules"))
+    for name in set(softlube.__all__) - {"__version__"}:
+        if inspect.ismodule(owner := getattr(softlube, name)):
+            assert f"| `{name}` | {{py:mod}}`{owner.__name__}` |" in modules
+            assert f"\n   {owner.__name__}\n" in modules
+        else:
+            assert f"\n   {name}\n" in python, name
 
 
 def test_table_of_the_laws_is_what_we_find():
