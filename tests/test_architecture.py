@@ -71,6 +71,12 @@ def test_every_module_has_its_test_module(name):
     assert mirrored.is_file(), f"{mirrored.relative_to(ROOT)} is missing"
 
 
+def test_citation_and_changelog_are_of_this_version():
+    version = re.search(r'__version__ = "(.+)"', (SOURCE / "softlube" / "__init__.py").read_text())[1]
+    assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text()
+    assert re.search(r"^## (\S+)", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)[1] == version
+
+
 def test_contributing_names_every_room():
     """The tree of CONTRIBUTING has every folder with code, and no other; the files it sends newcomers to are there."""
     text = (ROOT / "CONTRIBUTING.md").read_text()

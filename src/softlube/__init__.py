@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from softlube.transient.sliding.result import Slide
     from softlube.transient.squeeze.result import Squeeze
 
-__version__ = "0.2.0.dev0"
+__version__ = "0.3.0"
 
 # Names are imported when first used: the command line answers --help without NumPy.
 _NAMES = {

@@ -13,6 +13,7 @@ from scipy.interpolate import CubicSpline
 
 from softlube.files.writing import check_destination, write_whole
 from softlube.model.prefixes import prefixed
+from softlube.plots.axes import label_logarithmic
 from softlube.plots.solution import FILM_COLOUR, PRESSURE_COLOUR, STYLE, check_format, image
 from softlube.transient.sliding.result import Slide
 from softlube.transient.squeeze.result import Squeeze
@@ -111,7 +112,8 @@ def _chosen(time: Array, film_center: Array) -> NDArray[np.intp]:
 
 def _instant(time: float, clock: float, label: str) -> str:
     """A time with its unit."""
-    return " ".join([f"{time * clock:.3g}", *label.strip(" []").split()])
+    digits = f"{time * clock:.3g}"
+    return " ".join([f"{float(digits):g}", *label.strip(" []").split()])
 
 
 def picture(result: Transient, path: str | os.PathLike[str] | None = None) -> Figure:
@@ -169,7 +171,7 @@ def picture(result: Transient, path: str | os.PathLike[str] | None = None) -> Fi
         left.plot(time, histories["film_center"][begin:] * film, color=FILM_COLOUR, label="at the centre")
         left.plot(time, histories["film_min"][begin:] * film, "--", color=FILM_COLOUR, label="minimum")
         if isinstance(result, Squeeze) and not np.isnan(result.dimple_time):
-            left.axvline(result.dimple_time * clock, color="0.6", lw=0.7, ls=":")
+            left.axvline(result.dimple_time * clock, color="0.6", lw=0.7, ls=":", label="birth of the dimple")
         left.set(xlabel=f"time{clock_label}", ylabel=f"film $u${film_label}", yscale="log")
         left.legend(frameon=False)
         scale, label = pressure, pressure_label
@@ -187,6 +189,7 @@ def picture(result: Transient, path: str | os.PathLike[str] | None = None) -> Fi
                 ax.set_xscale("log")
         for letter, ax in zip("abcd", axes.flat, strict=True):
             ax.set_title(f"({letter})", loc="left")
+            label_logarithmic(ax)
         if path is not None:
             write_whole({check_destination("plot", path): image(figure, path)})
     return figure
