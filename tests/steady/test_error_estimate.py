@@ -2,17 +2,17 @@
 
 import math
 
+import numpy as np
 import pytest
 
-import softlube
 from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY
 from softlube.model.substrates import LayerKernel
 from softlube.steady.error_estimate import (
-    SMOOTH,
+    SAFETY,
     Convergence,
+    error_of,
     estimate_errors,
-    floors_for,
     looser,
     too_uncertain,
     unresolved,
@@ -20,31 +20,30 @@ from softlube.steady.error_estimate import (
 )
 from softlube.steady.regime import Regime
 
-
-def test_error_estimate_has_a_floor_where_two_grids_agree_by_chance():
-    names = softlube.solve(beta=50).quantities
-    same = dict.fromkeys(names, 1.0)
-    estimate = estimate_errors([same, same, same], 27)
-    assert all(value > 0 for value in estimate.values())
-    finer = estimate_errors([same, same, same], 54)
-    assert finer["film_min"] == pytest.approx(estimate["film_min"] / 4)
-    jump = estimate_errors([same | {"load": 1.5}, same | {"load": 1.1}, same], 27)
-    assert jump["load"] == pytest.approx(0.06)
-    assert estimate_errors([same | {"load": 1.5}, same], 27, exact="load")["load"] == 0
-    assert estimate_errors([same | {"load": 1.5}, same], 27)["load"] == 0.5
+ANGLES = (11, 19, 27)
 
 
-def test_every_problem_has_a_floor_for_every_quantity():
-    for problem in (
-        Problem(beta=10.0),
-        Problem(beta=1e6),
-        Problem(beta=1.0, height=0),
-        Problem(beta=1.0, height=1),
-        Problem(beta_load=1.0),
-        Problem(beta=10.0, cavitation="none"),
-        Problem(beta_load=1.0, cavitation="none"),
-    ):
-        assert set(floors_for(Regime.of(problem))) == set(STEADY)
+@pytest.mark.parametrize(("order", "least", "most"), [(2, 1.0, 1.5), (4, 1.5, 5.0)])
+def test_an_error_covers_both_orders_of_the_scheme(order, least, most):
+    """Values that converge like h² or h⁴ to 1: the error is known."""
+    values = [1 + n**-order for n in ANGLES]
+    assert least < error_of(values, ANGLES) / (values[-1] - 1) < most
+
+
+def test_an_error_covers_changes_that_are_small_by_chance():
+    """The last change vanishes, or the one over two grids, or parts of both orders cancel in the last."""
+    far, near = ((27 / n) ** 2 for n in ANGLES[:2])
+    assert error_of([1.5, 1.0, 1.0], ANGLES) >= SAFETY * 0.25 / (far - 1)
+    assert error_of([1.0, 1.5, 1.0], ANGLES) == pytest.approx(SAFETY * 0.5 / (near - 1))
+    smooth, rough = 0.001 * np.array([far**2, near**2, 1.0]), 0.002 * np.array([0.0, -near, 1.0])
+    assert error_of(1 + smooth + rough, ANGLES) > smooth[-1] + rough[-1]
+
+
+def test_a_prescribed_quantity_has_no_error():
+    same = dict.fromkeys(STEADY, 1.0)
+    levels = [same | {"load": 1.1}, same | {"load": 1.1}, same]
+    assert estimate_errors(levels, ANGLES, exact="load")["load"] == 0
+    assert estimate_errors(levels, ANGLES)["load"] == pytest.approx(SAFETY * 0.1 / ((27 / 19) ** 2 - 1))
 
 
 def test_errors_are_compared_with_what_cannot_vanish():
@@ -57,15 +56,14 @@ def test_errors_are_compared_with_what_cannot_vanish():
 
 def test_a_quantity_that_converges_otherwise_has_its_own_error():
     same = dict.fromkeys(STEADY, 1.0)
-    levels = [same | {"load": 1.5}, same | {"load": 1.1}, same]
-    slow = Convergence(last=2.0, before=1 / 6, only=10 / 3, least=0.25)
-    assert estimate_errors(levels, 27)["load"] == pytest.approx(SMOOTH.last * 0.1)
-    assert estimate_errors(levels, 27, convergence={"load": slow})["load"] == pytest.approx(0.25)
-    assert estimate_errors(levels[1:], 27, convergence={"load": slow})["load"] == pytest.approx(1 / 3)
-    nothing = Convergence(last=2.0, before=0.2, only=3.0, least=math.inf)
-    errors = estimate_errors(levels, 27, convergence={"load": nothing})
-    assert errors["load"] == math.inf
-    assert too_uncertain(["load", "film_min"], same, errors) == ("load",)
+    levels = [same | {"load": 1.1}, same | {"load": 1.1}, same]
+    slow = estimate_errors(levels, ANGLES, convergence={"load": Convergence(order=1)})
+    assert slow["load"] == pytest.approx(SAFETY * 0.1 / (27 / 19 - 1))
+    assert slow["film_min"] == 0
+    assert estimate_errors(levels, ANGLES, convergence={"load": Convergence(order=1, least=0.4)})["load"] == 0.4
+    nothing = estimate_errors(levels, ANGLES, convergence={"load": Convergence(order=1, least=math.inf)})
+    assert nothing["load"] == math.inf
+    assert too_uncertain(["load", "film_min"], same, nothing) == ("load",)
 
 
 def test_what_is_not_accurate_enough_is_named():

@@ -3,14 +3,39 @@
 import pytest
 
 import softlube
+import softlube.steady.ladder
 from softlube.steady.error_estimate import SMOOTH
 from softlube.steady.refinements import Refinement
 
 
-def test_an_accuracy_that_no_grid_reaches_is_refused_with_advice(monkeypatch):
-    monkeypatch.setattr("softlube.steady.ladder.LADDER", (12, 18))
-    with pytest.raises(softlube.NotConvergedError, match=r"does not reach the accuracy.*Try accuracy="):
-        softlube.solve(beta=1000, accuracy=3e-4)
+@pytest.mark.parametrize("beta", [30.0, 1000.0, 2e4])
+def test_an_accuracy_that_no_grid_reaches_is_refused_with_one_that_a_grid_reaches(monkeypatch, beta):
+    monkeypatch.setattr("softlube.steady.ladder.LADDER", (11, 19, 27))
+    with pytest.raises(softlube.NotConvergedError, match=r"does not reach the accuracy") as refusal:
+        softlube.solve(beta=beta, accuracy=1e-4)
+    advised = float(str(refusal.value).partition("Try accuracy=")[2].rstrip("."))
+    assert softlube.solve(beta=beta, accuracy=advised).accuracy == advised
+    with pytest.raises(softlube.NotConvergedError):
+        softlube.solve(beta=beta, accuracy=0.85 * advised)
+
+
+def test_a_grid_that_would_be_fine_enough_but_has_no_solution_leaves_the_advice_of_the_others(monkeypatch):
+    real = softlube.steady.ladder.solve_level
+
+    def failing(regime, grid, before=None):
+        if grid.n_theta > 30:
+            raise softlube.NotConvergedError("no solution")
+        return real(regime, grid, before)
+
+    monkeypatch.setattr("softlube.steady.ladder.solve_level", failing)
+    with pytest.raises(softlube.NotConvergedError, match="Try accuracy="):
+        softlube.solve(beta=1000, accuracy=1e-4)
+
+
+def test_two_grids_tell_no_error(monkeypatch):
+    monkeypatch.setattr("softlube.steady.ladder.LADDER", (11, 19))
+    with pytest.raises(softlube.NotConvergedError, match="nothing tells"):
+        softlube.solve(beta=1000)
 
 
 def test_progress_is_reported_for_each_grid():
@@ -21,7 +46,7 @@ def test_progress_is_reported_for_each_grid():
 
 def test_grids_too_coarse_to_be_judged_are_no_solution(monkeypatch):
     """Where a refinement forbids a verdict on every grid, nothing has accepted the result, and it is refused."""
-    monkeypatch.setattr("softlube.steady.ladder.LADDER", (12, 18, 26))
+    monkeypatch.setattr("softlube.steady.ladder.LADDER", (11, 19, 27))
 
     class Anywhere(Refinement):
         feature = "a feature that is everywhere"

@@ -56,9 +56,9 @@ def test_the_height_passes_through_zero_smoothly():
     assert [bool(solution.other_quantities) for solution in solutions] == [False, False, True, True, True, True]
     for name in ("height", "film_center", "film_min", "pressure_max", "friction_domain", "load_contact", "film_inlet"):
         values = np.array([solution.quantities[name] for solution in solutions])
-        errors = [solution.quantities[name].error for solution in solutions]
+        error = max(solution.quantities[name].error for solution in solutions)  # that of the curve through them
         smooth = np.polyval(np.polyfit(loads - 4.46, values, 2), loads - 4.46)
-        assert np.all(np.abs(values - smooth) < errors), name
+        assert np.all(np.abs(values - smooth) < error), name
     touching = solve_problem(Problem(beta=4.45, height=0))
     assert touching.height == 0
     assert touching.beta == 0
@@ -95,7 +95,7 @@ def test_accuracy_is_kept_or_refused():
         ({"beta": 10.0, "cavitation": "jfo"}, "cavitation: expected"),
         ({"beta": 0.0}, "beta: expected a positive"),
         ({"beta": 10.0, "accuracy": 0.0}, "accuracy: expected"),
-        ({"beta": 10.0, "accuracy": 1e-5}, "accuracy: expected a relative error between 0.00014 and 0.1"),
+        ({"beta": 10.0, "accuracy": 1e-5}, "accuracy: expected a relative error between 0.0001 and 0.1"),
         ({"beta": 10.0, "accuracy": float("nan")}, "accuracy: expected"),
     ],
 )

@@ -127,9 +127,6 @@ class Definition:
     compared_with : tuple of str or float
         The error is compared with the sum of these magnitudes: names of quantities, and numbers.  Empty: with the magnitude of
         the quantity itself.  Others are named where that magnitude can vanish.
-    free_boundary_error : float
-        Least error times n_theta² that a grid of n_theta angular intervals leaves, because the free boundary falls between its
-        nodes; relative to `compared_with`.  Measured by benchmarks/coverage.py; see docs/verification.md.
     place : str
         Words of a row that is printed below another quantity and says where that is; empty for other quantities.  A place has
         an error, which does not decide when a grid is fine enough.
@@ -147,7 +144,6 @@ class Definition:
     dimension: str
     equation: str = ""
     compared_with: tuple[str | float, ...] = ()
-    free_boundary_error: float = 0.0
     place: str = ""
     offset: float = 0.0
     limit: float | None = None
@@ -169,8 +165,8 @@ def _table(*rows: Definition) -> dict[str, Definition]:
 
 
 STEADY = _table(
-    Definition("load", "normal load, whole plane", "N", "load", "27b", free_boundary_error=0.15, exponent=0),
-    Definition("load_contact", "normal load over r ≤ a", "N_a", "load", "27b", free_boundary_error=0.1, exponent=0),
+    Definition("load", "normal load, whole plane", "N", "load", "27b", exponent=0),
+    Definition("load_contact", "normal load over r ≤ a", "N_a", "load", "27b", exponent=0),
     Definition(
         "height",
         "height over the undeformed surface",
@@ -178,19 +174,17 @@ STEADY = _table(
         "height",
         "4",
         compared_with=("height", "film_center"),
-        free_boundary_error=0.05,
         offset=1.0,  # what is left of the height of a Hertz contact, −1
         exponent=-3 / 5,
     ),
-    Definition("film_center", "film at the centre", "u(0)", "height", "22a", free_boundary_error=0.03, exponent=-3 / 5),
-    Definition("film_min", "minimum film", "u_min", "height", "22b", free_boundary_error=0.75, exponent=-3 / 4),
+    Definition("film_center", "film at the centre", "u(0)", "height", "22a", exponent=-3 / 5),
+    Definition("film_min", "minimum film", "u_min", "height", "22b", exponent=-3 / 4),
     Definition(
         "film_min_radius",
         "radius of the minimum film",
         "r_min",
         "length",
         compared_with=(1.0,),
-        free_boundary_error=1.0,
         place="at a radius of",
         limit=1.0,
     ),
@@ -200,22 +194,20 @@ STEADY = _table(
         "θ_min",
         "angle",
         compared_with=(1.0,),
-        free_boundary_error=150.0,
         place="at an angle from the inlet of",
         limit=90.0,
         exponent=-1 / 4,
     ),
-    Definition("film_inlet", "film at the inlet, r = a", "u(a)", "height", free_boundary_error=0.041, exponent=-3 / 5),
-    Definition("film_outlet_min", "minimum film on the outlet axis", "u_out", "height", free_boundary_error=0.5),
-    Definition("pressure_center", "pressure at the centre", "p(0)", "pressure", "4", free_boundary_error=0.08, exponent=0),
-    Definition("pressure_max", "maximum pressure", "p_max", "pressure", "4", free_boundary_error=0.06, exponent=0),
+    Definition("film_inlet", "film at the inlet, r = a", "u(a)", "height", exponent=-3 / 5),
+    Definition("film_outlet_min", "minimum film on the outlet axis", "u_out", "height"),
+    Definition("pressure_center", "pressure at the centre", "p(0)", "pressure", "4", exponent=0),
+    Definition("pressure_max", "maximum pressure", "p_max", "pressure", "4", exponent=0),
     Definition(
         "pressure_gradient_inlet",
         "largest |dp/dr| on the inlet axis",
         "max |dp/dr|",
         "pressure_gradient",
         "20",
-        free_boundary_error=0.24,
         exponent=1 / 5,
     ),
     Definition(
@@ -226,7 +218,6 @@ STEADY = _table(
         "21",
         # In a Hertz contact p/p_max = 5 % at 1 − r = 0.00125.
         compared_with=("boundary_layer", BOUNDARY_LAYER_LEVEL**2 / 2),
-        free_boundary_error=0.15,
         offset=1.0,  # the place on the axis instead of its distance from r = 1
         exponent=-2 / 5,
     ),
@@ -235,22 +226,16 @@ STEADY = _table(
         "total friction on the ball over r ≤ 2a",
         "F",
         "friction",
-        free_boundary_error=0.08,
         exponent=-2 / 5,
     ),
-    Definition(
-        "friction_contact", "shear on the ball over r ≤ a", "F_a", "friction", "27a", free_boundary_error=0.07, exponent=-2 / 5
-    ),
-    Definition(
-        "friction_domain", "shear on the ball over r ≤ 2a", "F_2a", "friction", "28", free_boundary_error=0.08, exponent=-2 / 5
-    ),
+    Definition("friction_contact", "shear on the ball over r ≤ a", "F_a", "friction", "27a", exponent=-2 / 5),
+    Definition("friction_domain", "shear on the ball over r ≤ 2a", "F_2a", "friction", "28", exponent=-2 / 5),
     Definition(
         "shear_rate_max",
         "maximum shear rate at the walls",
         "γ_max",
         "shear_rate",
         "25",
-        free_boundary_error=1.6,
         exponent=3 / 4,
     ),
 )

@@ -1,4 +1,4 @@
-"""Errors of the quantities, from how they change over nested grids, and whether they are small enough."""
+"""Errors of the quantities, from three nested grids, and whether they are small enough."""
 
 from __future__ import annotations
 
@@ -6,72 +6,41 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from softlube.model.quantities import QUANTITIES, REPORTED_ONLY, STEADY
+from softlube.model.quantities import QUANTITIES, REPORTED_ONLY
 from softlube.steady.regime import Regime
 
 LOOSER = {"film_min": 3.0, "shear_rate_max": 3.0}
 LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
 """Quantities whose error may exceed the accuracy by this factor: the extrema in the thinnest boundary layer, which need more
 angles the larger β is; the second beyond `COARSE_BETA`."""
-FREE_BOUNDARY = {name: row.free_boundary_error for name, row in STEADY.items()}
-"""Least error, times n_theta², that a grid leaves because the free boundary falls between its nodes: in terms of `yardstick`.
-Measured against finer grids by benchmarks/coverage.py, like all the following; see docs/verification.md."""
-FREE_BOUNDARY_GAP = {
-    "load_contact": 0.56,
-    "height": 0.18,
-    "film_center": 0.35,
-    "film_min": 0.35,
-    "film_min_angle_deg": 1.2e5,
-    "film_inlet": 0.35,
-    "film_outlet_min": 0.35,
-    "pressure_center": 0.56,
-    "pressure_max": 0.55,
-    "pressure_gradient_inlet": 0.71,
-    "boundary_layer": 0.21,
-    "friction_total": 0.36,
-    "friction_contact": 0.36,
-    "friction_domain": 0.36,
-}
-"""Least errors under a sphere that hardly touches the substrate or does not, where they differ: the free boundary passes close
-by, and the minimum film sits on the axis."""
-FREE_BOUNDARY_DEEP = {"film_min": 2.0, "shear_rate_max": 2.5}
-"""Least errors of a `Regime.deep` contact, where few angles share the boundary layer with the minimum film."""
-FREE_BOUNDARY_STEEP, FREE_BOUNDARY_STEEP_DEEP = {"film_center": 0.08}, {"film_min": 2.8, "shear_rate_max": 2.8}
-"""Least errors on layers, whose meshes have fewer rings than a half-space's for the same number of angles: of any contact, and
-of a `Regime.deep` one."""
-SUCTION = {"film_min": 1.0, "shear_rate_max": 3.5}
-"""Least errors without the Reynolds condition: the largest shear lies in the suction behind the contact."""
 COARSE_BETA = 3e6
-"""β up to which the coarsest grid is of use."""
-
-
+"""β′ up to which the coarsest grid is of use: beyond it cannot hold the boundary layers together."""
 LARGEST_ERROR = 0.1
 """Relative error up to which a quantity that a refinement determines is given."""
+GRIDS = 3
+"""Number of nested grids that tell an error."""
+SAFETY = 1.3
+"""Factor of the estimates, for at least 95 % of the errors of every quantity to lie below them (docs/notes/errors.md)."""
 
 
 @dataclass(frozen=True)
 class Convergence:
-    """How a quantity converges from grid to grid, and so what its last changes say of its error.
+    """How a quantity converges from grid to grid.
 
     Attributes
     ----------
-    last, before : float
-        Error over the last change, and over the change before it, which counts where the last is small by chance.
-    only : float
-        Error over the last change where there are two grids only.
+    order : int
+        Power of the spacing with which it converges at worst.
     least : float
         Least error over `yardstick`; infinite where the grid tells nothing.
     """
 
-    last: float
-    before: float
-    only: float
+    order: int
     least: float = 0.0
 
 
-SMOOTH = Convergence(last=0.6, before=0.05, only=1.0)
-"""The scheme is of fourth order where the pressure is smooth, and of second at the free boundary, whose place between the nodes
-makes the change from grid to grid erratic: now and then a quantity hardly changes by chance."""
+SMOOTH = Convergence(order=2)
+"""The scheme is of fourth order where the pressure is smooth, and of second at the free boundary."""
 
 
 def yardstick(name: str, values: Mapping[str, float]) -> float:
@@ -79,41 +48,47 @@ def yardstick(name: str, values: Mapping[str, float]) -> float:
     return QUANTITIES[name].size(values)
 
 
-def floors_for(regime: Regime) -> Mapping[str, float]:
-    """Errors, times n_theta² and in terms of `yardstick`, that the estimates of a contact never go below."""
-    floors = dict(FREE_BOUNDARY)
-    if regime.suction:
-        floors |= SUCTION
-    elif regime.over_gap:
-        floors |= FREE_BOUNDARY_GAP
-    steep = regime.steepness > 0
-    if steep:
-        floors |= FREE_BOUNDARY_STEEP
-    if regime.deep:
-        floors |= FREE_BOUNDARY_STEEP_DEEP if steep else FREE_BOUNDARY_DEEP
-    return floors
+def error_of(values: Sequence[float], angles: Sequence[int], order: int = SMOOTH.order) -> float:
+    """Error of the last of three values on nested grids.
+
+    Parameters
+    ----------
+    values : sequence of float
+        Coarse to fine.
+    angles : sequence of int
+        Angular intervals of the grids.
+    order : int
+        See `Convergence`.
+
+    Notes
+    -----
+    A change x(h) − x(1) from a grid with the spacing h, relative to the finest's, leaves the error change/(h² − 1) at the free
+    boundary, whose place within its cell differs from grid to grid, so that a change may be small by chance.  So three are
+    compared: that from the middle grid (with h to the power of the order); that from the coarsest, by half, for where the
+    solution is smooth it is too wide by 1 + h²; and that from the middle grid without the smooth part, which goes with h⁴, as
+    the coarsest tells it.
+    """
+    coarsest, middle = (value - values[-1] for value in values[-GRIDS:-1])
+    far, near = (angles[-1] / n for n in angles[-GRIDS:-1])
+    left = middle - coarsest / (far**4 - 1) * (near**4 - 1)
+    readings = abs(middle) / (near**order - 1), abs(coarsest) / (far**2 - 1) / 2, abs(left) / (near**2 - 1)
+    return SAFETY * max(readings)
 
 
 def estimate_errors(
     levels: Sequence[Mapping[str, float]],
-    n_theta: int,
-    floors: Mapping[str, float] = FREE_BOUNDARY,
+    angles: Sequence[int],
     exact: str = "",
     convergence: Mapping[str, Convergence] | None = None,
 ) -> dict[str, float]:
-    """Error of the finest grid's quantities, from how they changed over the grids.
-
-    An error is taken from the quantity's last change, the change before that, and what the free boundary is known to leave on
-    a grid of that size.
+    """Errors of the finest grid's quantities, from how they changed over the last three grids.
 
     Parameters
     ----------
     levels : sequence of mapping
-        Quantities on successive grids, coarse to fine; at least two.
-    n_theta : int
-        Angular intervals of the finest.
-    floors : mapping
-        See `floors_for`.
+        Quantities on nested grids, coarse to fine; at least `GRIDS`.
+    angles : sequence of int
+        Angular intervals of the grids.
     exact : str
         A quantity that is prescribed.
     convergence : mapping of str to Convergence, optional
@@ -124,17 +99,11 @@ def estimate_errors(
     dict of str to float
         Absolute estimates; at least 95 % of true errors lie below them (docs/verification.md).
     """
-    finest, before = levels[-1], levels[-2]
     estimates = {}
-    for name, value in finest.items():
+    for name in levels[-1]:
         rate = (convergence or {}).get(name, SMOOTH)
-        last = abs(value - before[name])
-        if len(levels) > 2:
-            changes = max(rate.last * last, rate.before * abs(before[name] - levels[-3][name]))
-        else:
-            changes = rate.only * last
-        size = yardstick(name, finest)
-        estimates[name] = 0.0 if name == exact else max(changes, rate.least * size, size * floors[name] / n_theta**2)
+        error = error_of([level[name] for level in levels], angles, rate.order)
+        estimates[name] = 0.0 if name == exact else max(error, rate.least * yardstick(name, levels[-1]))
     return estimates
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -15,23 +16,16 @@ from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity, places_of
 from softlube.solvers.progress import Listener, Progress
-from softlube.steady.error_estimate import (
-    COARSE_BETA,
-    Convergence,
-    estimate_errors,
-    floors_for,
-    looser,
-    too_uncertain,
-    unresolved,
-)
+from softlube.steady.error_estimate import COARSE_BETA, GRIDS, Convergence, estimate_errors, looser, too_uncertain, unresolved
 from softlube.steady.level import Level, Solved, solve_level
 from softlube.steady.mesh import angles_for, grid_for
 from softlube.steady.refinements import Refinement, refinements_for
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
-LADDER = (12, 18, 26, 39, 58)
-"""Angular intervals of the nested grids, coarse to fine; on a layer a few more, see `softlube.steady.mesh.angles_for`."""
+LADDER = (11, 19, 27, 39, 59, 87)
+"""Angular intervals of the nested grids, coarse to fine; on a layer a few more, see `softlube.steady.mesh.angles_for`.  All are
+odd, so that the sides, at 90°, lie half-way between two nodes of every grid."""
 REFINED_ANGLES = 39
 """Angular intervals from which on a grid can be fine enough although a refinement determines some quantities on it."""
 LARGEST_PASSED_OVER = 3000
@@ -53,7 +47,6 @@ def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:
     """
     before: Solved | None = None
     refinements = refinements_for(regime)
-    # Twelve intervals cannot hold the boundary layers of a very large β together.
     ladder = LADDER[1:] if regime.beta > COARSE_BETA else LADDER
     for number, n_theta in enumerate(ladder, 1):
         adjustments = [partial(each.adjust, before=before) for each in refinements]
@@ -91,7 +84,9 @@ class Estimate:
     determined: Mapping[str, Convergence]
 
     @classmethod
-    def of(cls, regime: Regime, fields: Fields, levels: Sequence[Mapping[str, float]], n_theta: int, exact: str) -> Estimate:
+    def of(
+        cls, regime: Regime, fields: Fields, levels: Sequence[Mapping[str, float]], angles: Sequence[int], exact: str
+    ) -> Estimate:
         """Estimate the errors of the last of some levels.
 
         Parameters
@@ -101,23 +96,23 @@ class Estimate:
         fields : Fields
             Solution on the finest grid.
         levels : sequence of mapping
-            Quantities on the grids, coarse to fine; at least two.
-        n_theta : int
-            Angular intervals of the finest grid.
+            Quantities on the grids, coarse to fine; at least `softlube.steady.error_estimate.GRIDS`.
+        angles : sequence of int
+            Angular intervals of the grids.
         exact : str
             The quantity that is prescribed.
         """
         determined: dict[str, Convergence] = {}
         for refinement in refinements_for(regime):
             determined |= refinement.determines(fields, levels[-1])
-        return cls(levels[-1], estimate_errors(levels, n_theta, floors_for(regime), exact, determined), determined)
+        return cls(levels[-1], estimate_errors(levels, angles, exact, determined), determined)
 
     @classmethod
     def from_grids(cls, regime: Regime, solved: Sequence[Solved]) -> Estimate:
         """Estimate the errors of the finest of some solved grids."""
         exact = "load" if regime.problem.load_controlled else "height"
-        finest = solved[-1]
-        return cls.of(regime, finest.fields, [each.level.values for each in solved], finest.grid.n_theta, exact)
+        levels = [each.level for each in solved]
+        return cls.of(regime, solved[-1].fields, [each.values for each in levels], [each.n_theta for each in levels], exact)
 
     @property
     def withheld(self) -> tuple[str, ...]:
@@ -129,6 +124,11 @@ class Estimate:
         """Relative errors of the quantities that decide and are not accurate enough."""
         deciding = {name: error for name, error in self.errors.items() if name not in self.determined}
         return unresolved(self.values, deciding, accuracy, looser(regime))
+
+    def accuracy(self, regime: Regime) -> float:
+        """The accuracy that is reached: the least that could have been asked for."""
+        factors, errors = looser(regime), self.unresolved(0.0, regime)
+        return max((np.nan_to_num(error, nan=np.inf) / factors.get(name, 1.0) for name, error in errors.items()), default=0.0)
 
     def quantities(self) -> dict[str, Quantity]:
         """Values with their errors; nan for those that are withheld."""
@@ -147,37 +147,49 @@ def solve_on_ladder(regime: Regime, accuracy: float, progress: Listener | None =
     Raises
     ------
     NotConvergedError
-        If no grid is fine enough; the message says which quantities are not accurate enough and which accuracy will do.
+        If no grid is fine enough; the message says which quantities are not accurate enough, and which accuracy was reached.
     """
     solved: list[Solved] = []
     refinements = refinements_for(regime)
-    accepted, left = False, dict[str, float]()
+    enough, best, left = 0, math.inf, dict[str, float]()
     narrow: list[Refinement] = []
-    for grid in climb(regime, progress):
-        solved.append(grid)
-        if len(solved) < 2:
-            continue
-        estimate = Estimate.from_grids(regime, solved)
-        if estimate.determined and grid.grid.n_theta < REFINED_ANGLES:
-            accepted, narrow = False, [each for each in refinements if each.determines(grid.fields, grid.level.values)]
-            continue
-        left = estimate.unresolved(accuracy, regime)
-        accepted = not left
-        if accepted and all(each.is_settled(solved, estimate.errors) for each in refinements):
-            break
-    if len(solved) < 2:
-        raise NotConvergedError("only the finest grid has a solution, and nothing tells its error; report the input.")
-    if accepted:
-        return solution_of(regime, solved, accuracy, progress)
+    try:
+        for grid in climb(regime, progress):
+            solved.append(grid)
+            if len(solved) < GRIDS:
+                continue
+            estimate = Estimate.from_grids(regime, solved)
+            if estimate.determined and grid.grid.n_theta < REFINED_ANGLES:
+                narrow = [each for each in refinements if each.determines(grid.fields, grid.level.values)]
+                continue
+            reached = estimate.accuracy(regime)
+            if reached <= accuracy:
+                enough = len(solved)
+                if all(each.is_settled(solved, estimate.errors) for each in refinements):
+                    break
+            elif not reached >= best:
+                best, left = reached, estimate.unresolved(accuracy, regime)
+    except NotConvergedError:
+        if not (enough or left):
+            raise
+    if enough:
+        return solution_of(regime, solved[:enough], accuracy, progress)
+    if len(solved) < GRIDS:
+        raise NotConvergedError("too few grids have a solution, and nothing tells its error; report the input.")
     if not left:
         features = " and ".join(each.feature for each in narrow)
         raise NotConvergedError(f"no grid is fine enough for {features}, and nothing tells the errors; report the input.")
-    reached = ", ".join(f"{name} {value:.1e}" for name, value in sorted(left.items(), key=lambda item: -item[1])[:3])
-    enough = 2 * max(value / looser(regime).get(name, 1) for name, value in left.items())
+    worst = ", ".join(f"{name} {value:.1e}" for name, value in sorted(left.items(), key=lambda item: -item[1])[:3])
     raise NotConvergedError(
-        f"the finest grid does not reach the accuracy {accuracy:g} at {regime.problem.parameter:.4g}: {reached} (relative). "
-        + (f"Try accuracy={enough:.0e}." if enough <= LARGEST_ACCURACY else "No accuracy that can be asked for would do.")
+        f"the finest grid does not reach the accuracy {accuracy:g} at {regime.problem.parameter:.4g}: {worst} (relative). "
+        + (f"Try accuracy={_up(best)}." if best <= LARGEST_ACCURACY else "No accuracy that can be asked for would do.")
     )
+
+
+def _up(value: float) -> str:
+    """A positive number with two digits, rounded up."""
+    unit = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return f"{math.ceil(value / unit) * unit:.1e}"
 
 
 def solution_of(regime: Regime, solved: Sequence[Solved], accuracy: float, progress: Listener | None = None) -> Solution:
@@ -240,7 +252,9 @@ def renormalised(regime: Regime, levels: Sequence[Level], own: Mapping[str, Quan
         Problem(beta=1.0 if by_load else None, beta_load=None if by_load else 1.0, substrate=substrate)
     ).edge_radius
     values = [measure(each, edge) for each in other]
-    estimate = Estimate.of(regime, fields[-1], values, levels[-1].n_theta, "height" if by_load else "load")
+    estimate = Estimate.of(
+        regime, fields[-1], values, [level.n_theta for level in levels[-len(values) :]], "height" if by_load else "load"
+    )
     found = estimate.quantities()
     lacking = {*estimate.withheld, *(own.keys() - found.keys())}
     if lacking:

@@ -35,11 +35,11 @@ COARSEST = 0.43
 
 
 def angles_for(regime: Regime, n_theta: int) -> int:
-    """Angular intervals that do for a contact what `n_theta` do on a half-space."""
+    """Angular intervals that do for a contact what `n_theta` do on a half-space; always odd."""
     factor = 1 + STEEP_ANGLES * regime.steepness
     if regime.steepness > 0 and regime.deep:
         factor = max(factor, DEEP_ANGLES)
-    return round(n_theta * factor)
+    return 2 * int(n_theta * factor / 2) + 1
 
 
 def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[PolarGrid], PolarGrid]] = ()) -> PolarGrid:

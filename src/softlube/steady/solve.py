@@ -18,8 +18,8 @@ from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
 DEFAULT_ACCURACY = 1e-3
-FINEST_ACCURACY = 1.4e-4
-"""What the free boundary allows on the finest grid of the ladder (the film on the outlet axis is the first to fail)."""
+FINEST_ACCURACY = 1e-4
+"""What the finest grids of the ladder reach."""
 LARGEST_BETA = 1e9
 SMALLEST_BETA = 1e-6
 LOOSER = 3.0

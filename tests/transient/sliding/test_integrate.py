@@ -26,9 +26,9 @@ COMPARED = ("height", "film_center", "film_min", "friction_contact", "pressure_m
 
 @pytest.mark.parametrize("cavitation", ["reynolds", "none"])
 def test_steady_sliding_is_the_long_time_limit(cavitation):
-    run = start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 8 * BETA), cavitation=cavitation, n_theta=12, tolerance=3e-3)
+    run = start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 8 * BETA), cavitation=cavitation, n_theta=13, tolerance=3e-3)
     problem = Problem(beta_load=BETA, cavitation=cavitation)  # type: ignore[arg-type]
-    steady = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 12)).level.values
+    steady = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 13)).level.values
     late = measure(run.fields[-1])
     for name in COMPARED:
         assert late[name] == pytest.approx(steady[name], rel=1e-4), name
@@ -68,7 +68,7 @@ LOADED_LATE = history("load", [0, 100, 200, 800], [0.1, 0.1, HERTZ_LOAD, HERTZ_L
 )
 def test_every_motion_ends_in_its_steady_sliding(beta, motion, substrate, liquid):
     motion = replace(motion, substrate=substrate, liquid=liquid)
-    run = start_sliding(beta, motion, n_theta=12, tolerance=3e-3)
+    run = start_sliding(beta, motion, n_theta=13, tolerance=3e-3)
     problem, unit = deepest_problem(beta, motion, "reynolds")
     regime = Regime.of(problem)
     steady = measure(solve_level(regime, grid_for(regime, angles_for(regime, 12))).fields.in_units(1 / unit))
@@ -101,7 +101,7 @@ def test_a_sphere_that_is_pulled_off(cavitation):
     The steps are judged by the film, of which the load of a substrate that yields so little takes more digits.
     """
     motion = constant_speed(-0.05, 0.1, 10.0)
-    run = start_sliding(1e4, motion, cavitation=cavitation, n_theta=12, tolerance=3e-3)
+    run = start_sliding(1e4, motion, cavitation=cavitation, n_theta=13, tolerance=3e-3)
     loads = np.array([fields.load for fields in run.fields])
     assert run.height == pytest.approx(0.1 + 0.05 * run.time)
     if cavitation == "reynolds":
@@ -114,7 +114,7 @@ def test_a_sphere_that_is_pulled_off(cavitation):
 
 def test_film_limit_stops_at_the_limit():
     motion = constant_load(HERTZ_LOAD, 1.0, 80.0)
-    whole, run = (start_sliding(BETA, motion, n_theta=12, tolerance=2e-3, film_limit=limit) for limit in (0.05, 0.1))
+    whole, run = (start_sliding(BETA, motion, n_theta=13, tolerance=2e-3, film_limit=limit) for limit in (0.05, 0.1))
     assert (whole.ended_by, run.ended_by) == ("duration", "film_limit")
     assert measure(run.fields[-1])["film_min"] == pytest.approx(0.1, rel=2.1e-4)
     least = [measure(fields)["film_min"] for fields in whole.fields]
@@ -141,13 +141,13 @@ def test_very_slow_sliding_is_a_squeeze_film():
 
 
 def test_tolerance_changes_the_film_little():
-    loose, tight = (start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, BETA), n_theta=12, tolerance=t) for t in (1e-3, 5e-4))
+    loose, tight = (start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, BETA), n_theta=13, tolerance=t) for t in (1e-3, 5e-4))
     assert np.interp(tight.time, loose.time, loose.height)[-1] == pytest.approx(tight.height[-1], abs=5e-4)
     assert loose.film_center[-1] == pytest.approx(tight.film_center[-1], rel=5e-3)
 
 
 def test_pressure_stays_positive_and_carries_the_load():
-    run = start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 0.5 * BETA), n_theta=12, tolerance=3e-3)
+    run = start_sliding(BETA, constant_load(HERTZ_LOAD, 1.0, 0.5 * BETA), n_theta=13, tolerance=3e-3)
     for fields in run.fields[1:]:
         assert fields.pressure.min() >= 0
         assert fields.film.min() > 0

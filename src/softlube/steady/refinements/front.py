@@ -13,9 +13,8 @@ from softlube.steady.refinements.base import Refinement
 
 DETERMINED = ("film_min", "shear_rate_max")
 """Quantities that the front determines."""
-ERRATIC = Convergence(last=1.5, before=0.3, only=1.5)
-"""The front lies anywhere between the nodes, so these quantities come nearer in jumps.  Measured on layers of a fifth of the
-unit of length by benchmarks/coverage.py."""
+ERRATIC = Convergence(order=1)
+"""The front lies anywhere between the nodes, so these quantities come nearer in jumps."""
 OUTLET_DEGREES = 150.0
 """Angle from the inlet beyond which the film is thinnest on the outlet axis and not at the sides."""
 DOUBT = (

@@ -20,7 +20,7 @@ from softlube.transient.sliding.integrate import SlidingStart, deepest_problem, 
 
 Array = NDArray[np.floating]
 
-LADDER = (12, 18, 26, 39)
+LADDER = (13, 19, 27, 39)
 """Angular intervals of the grids, coarse to fine."""
 TOLERANCE = 0.3
 """Tolerance of a time step over the power 3/2 of the accuracy asked for: errors go with the power 2/3 of the tolerance."""

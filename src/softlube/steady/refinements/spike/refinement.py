@@ -12,12 +12,11 @@ from softlube.discretization.grid import PolarGrid
 from softlube.discretization.measure import FRICTIONS
 from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.solvers.progress import Listener
-from softlube.steady.error_estimate import SMOOTH, Convergence
+from softlube.steady.error_estimate import Convergence
 from softlube.steady.level import Solved
 from softlube.steady.refinements.base import Refinement
 from softlube.steady.refinements.spike.crest import at_least, layer_beside_spike, spike_quantities
 from softlube.steady.refinements.spike.detection import (
-    LEFT_OF_FIRST_ORDER,
     SPIKE_QUANTITIES,
     doubts,
     fall_from_top,
@@ -37,11 +36,7 @@ CREST_WIDTH, CREST_WIDTH_COMPRESSIBLE = 0.05, 0.01
 """Width of the refined zone at a crest, over the contact radius: in a compressible liquid the spike has a height to resolve."""
 CREST_STEP = 0.4
 """Crests of meshes are multiples of this times that width, so that neighbouring problems share a grid and its operators."""
-LIKE_SPACING = Convergence(
-    last=LEFT_OF_FIRST_ORDER,
-    before=SMOOTH.before * LEFT_OF_FIRST_ORDER / SMOOTH.last,
-    only=SMOOTH.only * LEFT_OF_FIRST_ORDER / SMOOTH.last,
-)
+LIKE_SPACING = Convergence(order=1)
 """What a spike determines converges like the spacing only."""
 
 
