@@ -21,7 +21,7 @@ larger the β are for the light step and for this one, times the share of the dr
 RADIAL_STEP_SUCTION = 3.2
 """Radial step of contacts that are not `Regime.deep`, without the Reynolds condition: the suction behind the contact is
 narrower than the boundary layer at its edge."""
-STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.25, 1.4
+STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.35, 1.2
 """What `Regime.steepness` adds to the mesh: by how much its zone at the edge moves outwards, over β^(−2/5); crowding at the
 sides; angular intervals and, with its square, radial spacing, both as a fraction."""
 DEEP_ANGLES = 31 / 26
