@@ -75,7 +75,9 @@ class Ridge:
                 PchipInterpolator(nodes, column)(np.clip(r, nodes[0], nodes[-1]))
                 for column, r in zip(self.fields.pressure.T, place(self.fields.theta), strict=True)
             ]
-            return place(theta), PchipInterpolator(self.fields.theta, np.array(on_nodes))(along)
+            pressure = PchipInterpolator(self.fields.theta, np.array(on_nodes))(along)
+        # Where the pressure ends the interpolant may round to less than nothing.
+        return place(theta), np.maximum(pressure, 0) if self.fields.cavitation == "reynolds" else pressure
 
 
 def ridge(fields: Fields) -> Ridge | None:
