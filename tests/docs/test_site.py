@@ -4,7 +4,6 @@ Built by ``sphinx-build -W --keep-going -b html docs site``; tested by ``SOFTLUB
 """
 
 import os
-import shutil
 from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote, urldefrag, urlparse
@@ -35,22 +34,10 @@ def site():
 
 
 @pytest.fixture(scope="module")
-def open_browser():
-    chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if chromium is None:
-        pytest.skip("no chromium on this machine (apt-get install chromium)")
-    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed (pip install '.[test]')")
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        yield browser
-        browser.close()
-
-
-@pytest.fixture(scope="module")
-def visits(site, open_browser):
+def visits(site, browser):
     """All pages, each opened once."""
     seen: dict[str, Visit] = {}
-    page = open_browser.new_context(offline=True).new_page()
+    page = browser.new_context(offline=True).new_page()
     complaints: list[str] = []
     page.on("console", lambda message: complaints.append(message.text))
     page.on("pageerror", lambda error: complaints.append(str(error)))
@@ -92,8 +79,8 @@ def test_pictures_are_there(visits):
     assert {url: visit.broken_images for url, visit in visits.items() if visit.broken_images} == {}
 
 
-def test_search_finds_pages_without_a_server(site, open_browser):
-    page = open_browser.new_context(offline=True).new_page()
+def test_search_finds_pages_without_a_server(site, browser):
+    page = browser.new_context(offline=True).new_page()
     said = []
     page.on("console", lambda message: said.append(message.text))
     page.goto(f"{(site / 'search.html').as_uri()}?q=starvation")

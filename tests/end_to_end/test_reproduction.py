@@ -97,27 +97,18 @@ def test_report_needs_nothing_else(reproduction, output):
         assert f'id="{spec.key}"' in page
 
 
-def test_report_in_a_browser_without_network(reproduction, output):
-    chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if chromium is None:
-        pytest.skip("no chromium on this machine (apt-get install chromium)")
-    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed (pip install '.[test]')")
+def test_report_in_a_browser_without_network(reproduction, output, browser):
     asked: list[str] = []
     complaints: list[str] = []
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        try:
-            page = browser.new_context(offline=True, viewport={"width": 1000, "height": 900}).new_page()
-            page.on("request", lambda request: asked.append(request.url))
-            page.on("console", lambda message: complaints.append(message.text))
-            page.goto((reproduction / "report.html").as_uri())
-            sizes = page.evaluate("[...document.images].map(i => [i.complete, i.naturalWidth, i.clientWidth, i.clientHeight])")
-            headings = page.locator("h2").all_inner_texts()
-            wide = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
-            page.set_viewport_size({"width": 380, "height": 800})
-            narrow = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
-        finally:
-            browser.close()
+    page = browser.new_context(offline=True, viewport={"width": 1000, "height": 900}).new_page()
+    page.on("request", lambda request: asked.append(request.url))
+    page.on("console", lambda message: complaints.append(message.text))
+    page.goto((reproduction / "report.html").as_uri())
+    sizes = page.evaluate("[...document.images].map(i => [i.complete, i.naturalWidth, i.clientWidth, i.clientHeight])")
+    headings = page.locator("h2").all_inner_texts()
+    wide = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+    page.set_viewport_size({"width": 380, "height": 800})
+    narrow = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
     assert len(sizes) == len(FIGURES)
     assert all(complete and natural > 600 and width > 300 and height > 100 for complete, natural, width, height in sizes)
     assert next(heading for heading in headings if heading.startswith("Figure ")).startswith("Figure 5.")
