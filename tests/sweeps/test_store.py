@@ -1,7 +1,9 @@
 """The store: whole or not at all, claims, and files that are no store."""
 
 import sqlite3
+import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -174,3 +176,15 @@ def test_a_full_disk_is_told_and_the_store_goes_on(tmp_path):
         store._connection.execute("PRAGMA max_page_count = 100000")
         save(store, "a", large)
         assert store.outcomes("a", fields=True)["a"].fields == large.fields
+
+
+def test_processes_that_make_the_store_at_once_all_find_it(tmp_path):
+    together = threading.Barrier(6)
+
+    def opened(path):
+        together.wait()
+        Store(path).close()
+
+    with ThreadPoolExecutor(6) as pool:
+        for name in range(20):
+            list(pool.map(opened, [tmp_path / str(name)] * 6))

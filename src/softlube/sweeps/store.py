@@ -105,9 +105,12 @@ class Store:
     def _prepare(self) -> None:
         """Look whether it is a store, and sound, before anything is changed."""
         connection = self._connection
+        # In one transaction, so that a store that another process makes meanwhile is seen whole or not at all.
+        connection.execute("BEGIN")
         application = connection.execute("PRAGMA application_id").fetchone()[0]
         layout = connection.execute("PRAGMA user_version").fetchone()[0]
         tables = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        connection.execute("COMMIT")
         if tables:
             if application != APPLICATION:
                 raise InputError(f"store: {str(self.path)!r} is a database of something else")
