@@ -14,9 +14,12 @@ import sqlite3
 import subprocess
 import sys
 import time
+import warnings
 from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import closing
 from functools import cache
+from multiprocessing import get_context
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
@@ -331,7 +334,14 @@ def prepare() -> None:
 
 @cache
 def images() -> dict[str, bytes]:
+    """Sound files of several sorts, made in another process, so that the solver's memory does not count as the reader's."""
+    with ProcessPoolExecutor(1, get_context("spawn")) as other:
+        return other.submit(made_images).result()
+
+
+def made_images() -> dict[str, bytes]:
     """Sound files of several sorts."""
+    warnings.simplefilter("ignore")
     ball = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s"}
     moving = ball | {"speed": "0.1 mm/s"}
     sorts = {

@@ -1,21 +1,29 @@
 """The process that opens HDF5 files for `softlube.files.hdf5`: run as a script, it needs h5py and nothing of softlube.
 
-On a damaged file the HDF5 library may loop for ever or end its process with a fault; here that costs a child process, which
-gives itself a second of processor time for each file.
+On a damaged file the HDF5 library may loop for ever, ask for all memory or end its process with a fault; here that costs a
+child process, which gives itself a second of processor time for each file, and memory in proportion to the file.
 """
 
 from __future__ import annotations
 
+import faulthandler
 import io
 import json
 import math
+import os
+import signal
 import sys
+from collections.abc import Generator
+from contextlib import contextmanager
 from typing import Any, BinaryIO
 
 SECONDS = 1.0
 """Processor time that a file may take; sound ones of some MB take hundredths of that."""
 PATIENCE = 60.0
 """Time on the clock that a file may take, for a library that waits instead of working."""
+MEMORY_PER_BYTE, LEAST_MEMORY = 8, 48 << 20
+"""Bytes of memory that each byte of a file may take, and bytes that any file may take.  Sound files take four times their size:
+the file, its numbers, and two copies of the largest variable."""
 MOST_VARIABLES = 1000
 FILTERS = frozenset({1, 2, 3})
 """Deflate, shuffle and Fletcher's checksum: filters that come with HDF5 and run no code from elsewhere."""
@@ -115,33 +123,54 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     answers : binary stream
         For each file a line of JSON, what `content` says or {"refused": why}, and the values.
     """
+    import h5py  # its own memory does not count
+
+    del h5py
+    own = _memory()
     while line := requests.readline():
         image = requests.read(int(line))
-        _watch(True)
-        try:
-            about, values = content(image)
-        except Refused as refusal:
-            about, values = {"refused": str(refusal)}, []
-        except Exception as error:
-            about, values = {"refused": f"is not a NetCDF file ({error})"}, []
-        _watch(False)
+        with _bounded(own + LEAST_MEMORY + MEMORY_PER_BYTE * len(image) if own else 0):
+            try:
+                about, values = content(image)
+            except Refused as refusal:
+                about, values = {"refused": str(refusal)}, []
+            except Exception as error:
+                about, values = {"refused": f"is not a NetCDF file ({error})"}, []
         answers.write(json.dumps(about).encode() + b"\n")
         for each in values:
             answers.write(each)
         answers.flush()
 
 
-def _watch(on: bool) -> None:
-    """End this process, from now on, if a file takes too long; or do so no longer.  No Python code runs within HDF5's loops."""
-    import faulthandler
-    import signal
+def _memory() -> int:
+    """Bytes that this process has asked the system for; 0 where the system does not say."""
+    try:
+        with open("/proc/self/statm") as said:
+            return int(said.read().split()[0]) * os.sysconf("SC_PAGESIZE")
+    except OSError:
+        return 0
 
+
+@contextmanager
+def _bounded(memory: int) -> Generator[None]:
+    """End this process if a file takes too long, and refuse it memory beyond some bytes; 0 for no bound.
+
+    No Python code runs within HDF5's loops, so that only the system can end them.
+    """
+    if memory:
+        import resource
+
+        usual = resource.getrlimit(resource.RLIMIT_AS)
+        resource.setrlimit(resource.RLIMIT_AS, (memory, usual[1]))
     if hasattr(signal, "setitimer"):
-        signal.setitimer(signal.ITIMER_PROF, SECONDS if on else 0.0)
-    if on:
-        faulthandler.dump_traceback_later(PATIENCE, exit=True)
-    else:
-        faulthandler.cancel_dump_traceback_later()
+        signal.setitimer(signal.ITIMER_PROF, SECONDS)
+    faulthandler.dump_traceback_later(PATIENCE, exit=True)
+    yield
+    if hasattr(signal, "setitimer"):
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+    faulthandler.cancel_dump_traceback_later()
+    if memory:
+        resource.setrlimit(resource.RLIMIT_AS, usual)
 
 
 if __name__ == "__main__":
