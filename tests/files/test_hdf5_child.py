@@ -52,3 +52,15 @@ def test_it_ends_with_its_requests_and_gives_up_a_file_that_takes_too_long():
     )
     folder = hdf5_child.__file__.rsplit("/", 1)[0]
     assert subprocess.run([sys.executable, "-c", loop], cwd=folder, timeout=60).returncode != 0
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the system does not say how much memory a process has")
+def test_a_file_gets_memory_in_proportion_to_its_size(monkeypatch):
+    monkeypatch.setattr(hdf5_child, "content", lambda image: ({"size": len(bytearray(200 * len(image)))}, []))
+    small, large = b"a" * 1000, b"a" * 10**7
+    answers = io.BytesIO()
+    serve(io.BytesIO(b"".join(b"%d\n" % len(each) + each for each in (small, large))), answers)
+    first, second = map(json.loads, answers.getvalue().splitlines())
+    assert first == {"size": 200_000}
+    assert "refused" in second
+    assert len(bytearray(10**9)) == 10**9  # the bound holds for the file only

@@ -39,3 +39,5 @@ def test_the_nearest_end_counts_and_only_within_the_block():
     budget.check()
     with budget.within(100.0):
         budget.check()
+        with pytest.raises(budget.OutOfTime):
+            budget.check(ahead=200.0)

@@ -1,5 +1,7 @@
 """The ladder of grids: accepted where a grid is fine enough, refused with advice where none is."""
 
+import time
+
 import pytest
 
 import softlube
@@ -57,3 +59,25 @@ def test_grids_too_coarse_to_be_judged_are_no_solution(monkeypatch):
     monkeypatch.setattr("softlube.steady.refinements.KINDS", (Anywhere,))
     with pytest.raises(softlube.NotConvergedError, match="no grid is fine enough for a feature that is everywhere"):
         softlube.solve(beta=100)
+
+
+@pytest.mark.slow
+def test_a_contact_whose_grids_grow_too_dear_is_refused_long_before_its_budget_is_spent():
+    hard = softlube.Contact(
+        radius="0.115 mm",
+        young_modulus="167 GPa",
+        viscosity="3.46 Pa s",
+        cavitation="none",
+        indentation="0.233 um",
+        thickness="32.4 um",
+        poisson_ratio=0.3,
+        pressure_viscosity="30.25 GPa^-1",
+        viscosity_law="roelands",
+        density_law="dowson-higginson",
+        ball_young_modulus="150 GPa",
+        speed="66.8 m/s",
+    )
+    began = time.thread_time()
+    with pytest.raises(softlube.NotConvergedError, match="it would take more than 60 s"):
+        hard.solve(accuracy=0.05)
+    assert time.thread_time() - began < 25

@@ -129,7 +129,7 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     own = _memory()
     while line := requests.readline():
         image = requests.read(int(line))
-        with _bounded(own + LEAST_MEMORY + MEMORY_PER_BYTE * len(image) if own else 0):
+        with _timed(), _bounded(own + LEAST_MEMORY + MEMORY_PER_BYTE * len(image) if own else 0):
             try:
                 about, values = content(image)
             except Refused as refusal:
@@ -153,15 +153,21 @@ def _memory() -> int:
 
 @contextmanager
 def _bounded(memory: int) -> Generator[None]:
-    """End this process if a file takes too long, and refuse it memory beyond some bytes; 0 for no bound.
+    """Have the system give this process no more than some bytes; 0 for no bound."""
+    if not memory:
+        yield
+        return
+    import resource  # not on every system
 
-    No Python code runs within HDF5's loops, so that only the system can end them.
-    """
-    if memory:
-        import resource
+    usual = resource.getrlimit(resource.RLIMIT_AS)
+    resource.setrlimit(resource.RLIMIT_AS, (memory, usual[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_AS, usual)
 
-        usual = resource.getrlimit(resource.RLIMIT_AS)
-        resource.setrlimit(resource.RLIMIT_AS, (memory, usual[1]))
+
+@contextmanager
+def _timed() -> Generator[None]:
+    """Have the system end this process if a file takes too long.  No Python code runs within HDF5's loops."""
     if hasattr(signal, "setitimer"):
         signal.setitimer(signal.ITIMER_PROF, SECONDS)
     faulthandler.dump_traceback_later(PATIENCE, exit=True)
@@ -169,8 +175,6 @@ def _bounded(memory: int) -> Generator[None]:
     if hasattr(signal, "setitimer"):
         signal.setitimer(signal.ITIMER_PROF, 0.0)
     faulthandler.cancel_dump_traceback_later()
-    if memory:
-        resource.setrlimit(resource.RLIMIT_AS, usual)
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ def within(seconds: float) -> Generator[None]:
         _END.reset(token)
 
 
-def check() -> None:
-    """Raise `OutOfTime` if the budget is spent."""
-    if time.thread_time() > _END.get():
+def check(ahead: float = 0.0) -> None:
+    """Raise `OutOfTime` if the budget is spent, or will be before some seconds of work that lie ahead are done."""
+    if time.thread_time() + ahead > _END.get():
         raise OutOfTime

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -15,9 +16,10 @@ from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity, places_of
+from softlube.solvers import budget
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.error_estimate import COARSE_BETA, GRIDS, Convergence, estimate_errors, looser, too_uncertain, unresolved
-from softlube.steady.level import Level, Solved, solve_level
+from softlube.steady.level import STEEP_STEPS, Level, Solved, solve_level
 from softlube.steady.mesh import angles_for, grid_for
 from softlube.steady.refinements import Refinement, refinements_for
 from softlube.steady.regime import Regime
@@ -48,9 +50,11 @@ def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:
     before: Solved | None = None
     refinements = refinements_for(regime)
     ladder = LADDER[1:] if regime.beta > COARSE_BETA else LADDER
+    fewest = max(GRIDS, 1 + sum(each < REFINED_ANGLES for each in ladder)) if refinements else GRIDS
     for number, n_theta in enumerate(ladder, 1):
         adjustments = [partial(each.adjust, before=before) for each in refinements]
         grid = grid_for(regime, angles_for(regime, n_theta), adjustments)
+        began = time.thread_time()
         try:
             solved = solve_level(regime, grid, before)
         except NotConvergedError as error:
@@ -64,6 +68,10 @@ def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:
         if progress is not None:
             progress(Progress(f"{grid.n_r} x {grid.n_theta} cells solved in {solved.level.seconds:.2f} s", number))
         yield solved
+        if before is not None and len(solved.level.history) > STEEP_STEPS:
+            # The coarser solution was no start.  It will be none for the next grids either, and they have more unknowns.
+            seconds = time.thread_time() - began
+            budget.check(ahead=seconds * sum((each / n_theta) ** 2 for each in ladder[number:fewest]))
         before = solved
 
 

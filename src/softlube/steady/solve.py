@@ -130,7 +130,7 @@ def solve_problem(
             name = "beta_load" if problem.load_controlled else "beta"
             advice = f"accuracy={LOOSER * accuracy:.0e} or " if LOOSER * accuracy <= LARGEST_ACCURACY else ""
             raise NotConvergedError(
-                f"{name} = {problem.parameter:.4g}: no solution within {budget:g} s of processor time. Try {advice}"
+                f"{name} = {problem.parameter:.4g}: it would take more than {budget:g} s of processor time. Try {advice}"
                 f"budget={LOOSER * budget:g}."
             ) from None
         warn(solution.warnings)
