@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from softlube.model.motions import Rolling, Sliding
     from softlube.model.problem import Problem
     from softlube.model.quantities import Quantity
-    from softlube.model.substrates import HalfSpace, Layer
+    from softlube.model.substrates import HalfSpace, Layer, StandardLinearSolid, Viscoelastic
     from softlube.physical.contact import Contact
     from softlube.physical.rig import Rig
     from softlube.physical.squeeze import History
@@ -108,9 +108,11 @@ __all__ = [
     "Solution",
     "Sphere",
     "Squeeze",
+    "StandardLinearSolid",
     "StribeckCurve",
     "Sweep",
     "ValidityWarning",
+    "Viscoelastic",
     "__version__",
     "curve",
     "dry",

@@ -27,6 +27,11 @@ class SteadyMotion(Part):
         """Sum of the surface speeds v₁ + v₂ [m/s], which is v in Eq. (1)."""
         raise NotImplementedError
 
+    @property
+    def substrate_speed(self) -> float:
+        """Speed v₂ of the substrate's surface [m/s]: all of the sum where the ball does not turn."""
+        return self.speed_sum * (2 + self.slide_to_roll) / 4
+
 
 class Sliding(SteadyMotion):
     """Sliding at a constant speed, without rolling: the ball does not turn.  Either of ball and substrate may be at rest."""

@@ -175,6 +175,11 @@ class Contact(Materials, Summarised):
         return self.motion.speed_sum
 
     @property
+    def substrate_speed(self) -> float:
+        """Speed of the substrate's surface, seen from the contact [m/s]."""
+        return self.motion.substrate_speed
+
+    @property
     def slide_to_roll(self) -> float:
         """Difference of the surface speeds over their mean, see `softlube.Rolling`; 2 for sliding."""
         return self.motion.slide_to_roll

@@ -99,6 +99,11 @@ class Materials:
         return self.indenter.radius / (1 + self.indenter.radius * self.substrate.curvature)
 
     @property
+    def substrate_speed(self) -> float | None:
+        """Speed of the substrate's surface, seen from the contact [m/s]; None where the contact is not steady."""
+        return None
+
+    @property
     def substrate_share(self) -> float:
         """What part of the compliance of both bodies, were both half-spaces, is the substrate's; 1 under a rigid ball."""
         return 1 / (1 + self.substrate.contact_modulus * self.indenter.compliance)
@@ -150,7 +155,7 @@ class Materials:
 
     def substrate_for(self, height: float) -> Substrate:
         """What the sphere moves over, normalised with a height [m]."""
-        return self.substrate.kernel(math.sqrt(self.reduced_radius * height), self.substrate_share)
+        return self.substrate.kernel(math.sqrt(self.reduced_radius * height), self.substrate_share, self.substrate_speed)
 
     def liquid_for(self, height: float) -> Liquid:
         """The laws of viscosity and density, normalised with a height [m]."""

@@ -20,7 +20,7 @@ def test_either_modulus():
 
 
 def test_unknown_kinds_are_refused():
-    with pytest.raises(InputError, match="substrate: no 'jelly' is known; expected 'half-space' or 'layer'"):
+    with pytest.raises(InputError, match="substrate: no 'jelly' is known; expected 'half-space' or 'layer' or 'viscoelastic'"):
         from_plain({"kind": "jelly"})
 
 

@@ -17,11 +17,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from softlube.model.parts import members
-from softlube.model.substrates.base import Kernel, Orders, Remainder, Substrate, SubstratePart, from_plain, to_plain
+from softlube.model.substrates.base import Kernel, Memory, Orders, Remainder, Substrate, SubstratePart, from_plain, to_plain
 
 if TYPE_CHECKING:
     from softlube.model.substrates.half_space import HalfSpace, HalfSpaceKernel
     from softlube.model.substrates.layer import Layer, LayerKernel
+    from softlube.model.substrates.viscoelastic import (
+        Remembering,
+        StandardLinearSolid,
+        Viscoelastic,
+        ViscoelasticKernel,
+    )
 
 __all__ = [
     "HalfSpace",
@@ -29,10 +35,15 @@ __all__ = [
     "Kernel",
     "Layer",
     "LayerKernel",
+    "Memory",
     "Orders",
     "Remainder",
+    "Remembering",
+    "StandardLinearSolid",
     "Substrate",
     "SubstratePart",
+    "Viscoelastic",
+    "ViscoelasticKernel",
     "from_plain",
     "to_plain",
 ]

@@ -30,6 +30,25 @@ class Remainder(Protocol):
         ...
 
 
+class Memory(Protocol):
+    """What a viscoelastic substrate remembers while it passes under a contact, see `softlube.model.substrates.viscoelastic`."""
+
+    @property
+    def shares(self) -> tuple[float, ...]:
+        """Compliances Jᵢ over the relaxed one."""
+        ...
+
+    @property
+    def lengths(self) -> tuple[float, ...]:
+        """How far the surface moves in each of its times."""
+        ...
+
+    @property
+    def instantaneous(self) -> float:
+        """J₀ over the relaxed compliance."""
+        ...
+
+
 class Substrate(Protocol):
     """What the solver asks of a substrate."""
 
@@ -49,6 +68,20 @@ class Substrate(Protocol):
         """Wavenumbers k and weights (C(k) − 1) dk of a quadrature of the remainder, good for waves seen as far as `reach`."""
         ...
 
+    @property
+    def elastic(self) -> Substrate:
+        """What it is without its memory."""
+        ...
+
+    @property
+    def memory(self) -> Memory | None:
+        """What it remembers, if anything."""
+        ...
+
+    def compliance(self, radius: float) -> float:
+        """About what a contact of some radius sees of its relaxed compliance."""
+        ...
+
 
 class Kernel:
     """A kernel that files know by its `kind`."""
@@ -58,13 +91,27 @@ class Kernel:
     kind: ClassVar[str]
     words: ClassVar[str] = "an elastic substrate"
 
+    @property
+    def elastic(self) -> Any:
+        """Itself."""
+        return self
+
+    @property
+    def memory(self) -> Memory | None:
+        """None."""
+        return None
+
+    def compliance(self, radius: float) -> float:
+        """1: no other than the relaxed one."""
+        return 1.0
+
     def __init_subclass__(cls) -> None:
         if "kind" in vars(cls):  # not yet where a worker of a sweep puts a class together
             Kernel.kinds[cls.kind] = cls
 
 
 class SubstratePart(Part):
-    """A linearly elastic, isotropic substrate as a part of an experiment, in SI.
+    """A linear, isotropic substrate as a part of an experiment, in SI.
 
     Give exactly one of `young_modulus` and `shear_modulus`; it keeps the latter, G = E/(2(1 + ν)).
     """
@@ -111,7 +158,7 @@ class SubstratePart(Part):
         """1/R of its surface [1/m]; 0 if it is flat, negative for a cup."""
         return 0.0 if self.radius is None else 1 / self.radius
 
-    def kernel(self, length_unit: float, share: float = 1.0) -> Substrate:
+    def kernel(self, length_unit: float, share: float = 1.0, speed: float | None = None) -> Substrate:
         """What the solver sees of it and of an elastic ball on it, whose compliances add.
 
         Parameters
@@ -120,6 +167,8 @@ class SubstratePart(Part):
             Length in the plane that it is normalised with [m].
         share : float
             What part of the compliance of both bodies, were both half-spaces, is the substrate's; 1 under a rigid ball.
+        speed : float, optional
+            Speed of the substrate's surface, seen from the contact [m/s]; None where it is not steady.
         """
         raise NotImplementedError
 

@@ -1,0 +1,147 @@
+"""Prony series: creep from relaxation, what is read and kept, and the lengths that a surface remembers over."""
+
+import json
+
+import numpy as np
+import pytest
+
+from softlube.errors import InputError
+from softlube.model.inputs import declared
+from softlube.model.parts import resolve
+from softlube.model.problem import Problem
+from softlube.model.substrates import (
+    HalfSpace,
+    HalfSpaceKernel,
+    StandardLinearSolid,
+    Viscoelastic,
+    ViscoelasticKernel,
+    from_plain,
+    to_plain,
+)
+from softlube.model.substrates.viscoelastic import creep_of
+
+
+@pytest.mark.parametrize("n", [1, 2, 7, 30])
+def test_creep_is_the_inverse_of_relaxation(n):
+    """At every frequency the complex modulus times the complex compliance is 1, over ten decades of times."""
+    random = np.random.default_rng(n)
+    times, moduli = np.sort(10 ** random.uniform(-5, 5, n)), 10 ** random.uniform(-3, 3, n)
+    creep = creep_of(0.5, zip(moduli, times, strict=True))
+    retarded, weights = (np.array([getattr(term, name) for term in creep.terms]) for name in ("time", "weight"))
+    assert np.all(weights > 0)
+    assert np.all(retarded > times)
+    assert np.all(retarded[:-1] < times[1:])
+    frequency = 1j * np.logspace(-8, 8, 33)[:, None]
+    modulus = 0.5 + np.sum(moduli * frequency * times / (1 + frequency * times), axis=1)
+    compliance = creep.instantaneous + np.sum(weights / (1 + frequency * retarded), axis=1)
+    assert modulus * compliance == pytest.approx(1, abs=1e-13)
+    assert creep.relaxed == pytest.approx(2, rel=1e-14)
+
+
+def test_one_time():
+    """E = E_r + E₁ e^(−t/τ): J₁ = E₁/(E_r (E_r + E₁)), and creep is slower than relaxation by (E_r + E₁)/E_r."""
+    creep = creep_of(2.0, [(6.0, 3.0)])
+    assert creep.instantaneous == pytest.approx(1 / 8)
+    assert creep.terms[0] == pytest.approx((6 / 16, 12.0))
+
+
+def test_equal_times_are_one():
+    split, whole = (creep_of(1.0, terms) for terms in ([(1.0, 2.0), (2.0, 2.0), (1.0, 5.0)], [(1.0, 5.0), (3.0, 2.0)]))
+    assert split == whole
+    nearly = creep_of(1.0, [(1.0, 2.0), (2.0, 2.0 * (1 + 1e-14)), (1.0, 5.0)])
+    assert nearly.terms[0].weight < 1e-13  # between the two poles
+    for one, other in zip(nearly.terms[1:], whole.terms, strict=True):
+        assert one == pytest.approx(other, rel=1e-12)
+
+
+def test_a_vanishing_term_changes_nothing():
+    creep = creep_of(1.0, [(9.0, 1.0), (1e-40, 2.0)])
+    assert [term.weight for term in creep.terms] == pytest.approx([0.0, 0.9], abs=1e-14)
+
+
+def test_what_is_given_and_kept():
+    part = Viscoelastic("3 MPa", prony=[("9 MPa", "1 ms"), (6e6, 1e-5)])
+    assert part.prony == "2 MPa @ 10 µs; 3 MPa @ 1 ms"  # of the shear modulus, which is kept
+    assert part.shear_modulus == 1e6
+    assert part == Viscoelastic(shear_modulus="1 MPa", prony="3 MPa@1 ms; 2 MPa @ 10 us")
+    assert part.creep.relaxed == pytest.approx(1)
+    assert part.creep.instantaneous == pytest.approx(1 / 6)
+    assert resolve(["substrate"], part.flat())["substrate"] == part
+    assert declared()["prony"].is_text
+
+
+def test_text_keeps_every_digit():
+    part = Viscoelastic(1e6, prony=[(1e6 / 7, np.pi * 1e-3)])
+    assert resolve(["substrate"], part.flat())["substrate"] == part
+    assert part.terms[0] == pytest.approx((1e6 / 21, np.pi * 1e-3), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ("9 MPa", "expected pairs of a modulus and a time such as"),
+        ([], "expected pairs of a modulus and a time"),
+        (3.0, "expected pairs of a modulus and a time"),
+        ([("9 MPa", "1 ms", "2")], "expected pairs of a modulus and a time"),
+        ("9 MPa @ 1 mm", "1 mm has the wrong dimension; expected a time such as '1 ms'"),
+        ("-9 MPa @ 1 ms", "expected a positive, finite quantity, a pressure such as '9 MPa'"),
+        ([("9 MPa", "1 ms")] * 101, "101 terms; 100 are the most"),
+    ],
+)
+def test_what_is_no_series_is_refused(given, message):
+    with pytest.raises(InputError, match=f"prony: {message}|prony: .*{message}"):
+        Viscoelastic("3 MPa", prony=given)
+
+
+def test_a_standard_linear_solid_is_a_series_of_one():
+    named = StandardLinearSolid("3 MPa", stiffening=4, relaxation_time="1 ms")
+    assert named.creep == Viscoelastic("3 MPa", prony=[("9 MPa", "1 ms")]).creep
+    with pytest.raises(InputError, match="stiffening: expected a number above 1, got 1"):
+        StandardLinearSolid("3 MPa", stiffening=1, relaxation_time="1 ms")
+
+
+def test_the_substrate_is_chosen_by_its_inputs():
+    by_series = resolve(["substrate"], {"young_modulus": "3 MPa", "prony": "9 MPa @ 1 ms"})["substrate"]
+    named = resolve(["substrate"], {"young_modulus": "3 MPa", "stiffening": 4, "relaxation_time": "1 ms"})["substrate"]
+    assert (type(by_series), type(named)) == (Viscoelastic, StandardLinearSolid)
+    with pytest.raises(InputError, match="prony, thickness: no substrate has both"):
+        resolve(["substrate"], {"young_modulus": "3 MPa", "thickness": "2 mm", "prony": "9 MPa @ 1 ms"})
+
+
+def test_the_kernel_remembers_over_speed_times_time():
+    kernel = StandardLinearSolid("3 MPa", stiffening=10, relaxation_time="1 ms").kernel(1e-3, 0.5, 2.0)
+    assert kernel.shares == pytest.approx((0.45,))  # half of the compliance is an elastic ball's
+    assert kernel.lengths == pytest.approx((2.0 * 10e-3 / 1e-3,))
+    assert kernel.instantaneous == pytest.approx(0.55)
+    assert kernel.in_units(4.0).lengths == pytest.approx((10.0,))
+    assert kernel.elastic == HalfSpaceKernel()
+    assert kernel.compliance(1e-9) == pytest.approx(0.55)
+    assert kernel.compliance(1e9) == pytest.approx(1)
+    assert from_plain(json.loads(json.dumps(to_plain(kernel)))) == kernel
+    problem = Problem(beta=10.0, substrate=kernel)
+    assert Problem.from_plain(json.loads(json.dumps(problem.to_plain()))) == problem
+
+
+def test_a_substrate_at_rest_under_the_contact_is_relaxed():
+    part = StandardLinearSolid("3 MPa", stiffening=10, relaxation_time="1 ms")
+    assert part.kernel(1e-3, 1.0, 0.0).memory is None
+    assert HalfSpace("3 MPa").kernel(1e-3, 1.0, 1.0).memory is None
+    assert HalfSpaceKernel().compliance(1.0) == 1
+    with pytest.raises(InputError, match="substrate: one that remembers is solved in steady sliding only"):
+        part.kernel(1e-3)
+    with pytest.raises(InputError, match="slide_to_roll: below -2"):
+        part.kernel(1e-3, 1.0, -1.0)
+
+
+@pytest.mark.parametrize(
+    ("shares", "lengths", "message"),
+    [
+        ((0.5,), (), "shares, lengths: expected as many of each, got 1 and 0"),
+        ((0.5, 0.5), (1, 2), "shares: expected positive numbers with a sum below 1"),
+        ((-0.5,), (1,), "shares: expected positive numbers"),
+        ((0.5,), (np.inf,), "lengths: expected finite numbers"),
+    ],
+)
+def test_kernels_that_cannot_be(shares, lengths, message):
+    with pytest.raises(InputError, match=message):
+        ViscoelasticKernel(shares, lengths)
