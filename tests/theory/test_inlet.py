@@ -7,6 +7,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from softlube.theory.inlet import FRONT, INLET_MESH, OUTLET_MESH, inlet, outlet
+from softlube.theory.power_law import PowerLawFlow
 
 # --- convergence: step, reach and length scale of the mesh, one at a time -----------------------------------------------------
 
@@ -37,18 +38,55 @@ def test_cavitated_outlet_does_not_depend_on_the_mesh(what):
     assert other.front == pytest.approx(outlet("reynolds").front, rel=5e-8)
 
 
+THINNING = [(0.8, 0.0), (0.8, 2.0), (2 / 3, 2.0), (0.5, 0.0), (0.5, 2.0), (0.35, 0.0), (0.35, 2.0)]
+"""Power-law index and slide-to-roll ratio.  At 2/3 the far pressure outside is in resonance with that of the end inside."""
+
+
+@pytest.mark.parametrize(("index", "slide_to_roll"), THINNING)
+def test_inlet_of_a_power_law_liquid_does_not_depend_on_the_mesh(index, slide_to_roll):
+    """To six digits and better: the stress that vanishes at a wall leaves a weak singularity in sliding."""
+    flow = PowerLawFlow(index, slide_to_roll)
+    changes = [{"step": 0.09}, {"outer": 20.0}, {"inner": 24.0}, {"length": 0.2}]
+    others = [inlet(replace(INLET_MESH, **each), flow).film_inside for each in changes]
+    assert others == pytest.approx([inlet(flow=flow).film_inside] * 4, rel=1e-6)
+
+
+def test_inlet_of_a_liquid_that_hardly_thins():
+    """Its film is that of constant viscosity, and differs in proportion to 1 − n."""
+    newtonian = inlet().film_inside
+    assert inlet(flow=PowerLawFlow(1.0, 2.0)) is not None
+    for slide_to_roll in (0.0, 2.0):
+        little, twice = (inlet(flow=PowerLawFlow(1 - share, slide_to_roll)).film_inside - newtonian for share in (1e-5, 2e-5))
+        assert abs(little) < 3e-5
+        assert twice / little == pytest.approx(2, abs=1e-3)
+
+
+@pytest.mark.parametrize("index", [0.1, 0.2, 1.8])
+def test_indices_that_the_inlet_does_not_take(index):
+    with pytest.raises(ValueError, match="index"):
+        inlet(flow=PowerLawFlow(index))
+
+
 # --- the equations, by means that the solver does not use --------------------------------------------------------------------
 
 
-SOLUTIONS = {"inlet": inlet, "full outlet": lambda: outlet("none"), "cavitated outlet": lambda: outlet("reynolds")}
+SHEARED = PowerLawFlow(0.5, 2.0)
+SOLUTIONS = {
+    "inlet": inlet,
+    "thinning inlet": lambda: inlet(flow=SHEARED),
+    "full outlet": lambda: outlet("none"),
+    "cavitated outlet": lambda: outlet("reynolds"),
+}
 
 
 @pytest.mark.parametrize("name", SOLUTIONS)
 def test_reynolds_equation(name):
-    """u³ p′ = ±(u − u∞), with p′ from a spline through the pressures."""
+    """u³ p′ = ±(u − u∞), with p′ from a spline through the pressures; for a thinning liquid u^(n+1) p′ drives (u − u∞)/u."""
     found = SOLUTIONS[name]()
     slope = CubicSpline(found.t, found.pressure)(found.t, 1) / CubicSpline(found.t, found.s)(found.t, 1)
     flux = (1 if name == "inlet" else -1) * (found.film - found.film_inside) / found.film**3
+    if name == "thinning inlet":
+        flux = SHEARED.gradient(1 - found.film_inside / found.film)[0] / found.film**1.5
     near = (np.abs(found.s) < 30) & (found.t > -6)
     assert slope[near] == pytest.approx(flux[near], abs=1e-3)
 
@@ -79,6 +117,22 @@ def test_inlet_far_field():
     assert found.pressure[inside] == pytest.approx(np.sqrt(found.s[inside]), rel=1e-5)
     excess = (found.film[inside] - found.film_inside) * 2 * np.sqrt(found.s[inside]) / found.film_inside**3
     assert excess == pytest.approx(1, abs=0.01)
+
+
+@pytest.mark.parametrize(("index", "slide_to_roll"), THINNING)
+def test_far_field_of_a_power_law_liquid(index, slide_to_roll):
+    """Outside the dry gap, in which everything is driven back; inside an excess that falls like s^(−1/2n) in rolling."""
+    flow = PowerLawFlow(index, slide_to_roll)
+    found = inlet(flow=flow)
+    a = (3 * index + 1) / 2
+    strength = flow.gradient(np.array(1.0))[0] * (4 * np.pi / 3) ** -(index + 1) / a
+    out = (found.s < -300) & (found.s > -3e3)
+    assert found.film[out] == pytest.approx(4 * np.pi / 3 * np.abs(found.s[out]) ** 1.5, rel=1e-3)
+    assert found.pressure[out] == pytest.approx(strength * np.abs(found.s[out]) ** -a, rel=2e-3)
+    inside = (found.s > 100) & (found.s < 3e3)
+    driven = found.film_inside ** (index + 1) / (2 * np.sqrt(found.s[inside]))
+    excess = flow.backflow(driven)[0]
+    assert found.film[inside] / found.film_inside - 1 == pytest.approx(excess, rel=0.05, abs=1e-4)
 
 
 def test_far_fields_of_the_outlets():

@@ -27,6 +27,18 @@ def test_constants_of_the_hertz_limit():
     assert limits.outlet_film_ratio("none") == pytest.approx(0.758010043, abs=2e-9)
 
 
+@pytest.mark.parametrize(
+    ("index", "slide_to_roll", "digits"),
+    [(0.8, 0, 1.25723615), (0.8, 2, 1.09843385), (0.5, 0, 1.65918200), (0.5, 2, 1.03690804), (1.0, 1.0, 1.10700493)],
+)
+def test_constants_of_power_law_liquids(index, slide_to_roll, digits):
+    """Digits of the docs; six are claimed (convergence: test_inlet.py)."""
+    assert limits.film_constant(index, slide_to_roll) == pytest.approx(digits, rel=3e-7)
+    assert limits.film_center_power_law(1e5, index, slide_to_roll) == pytest.approx(
+        digits * 1e5 ** (-3 / (3 * index + 2)), rel=3e-7
+    )
+
+
 def test_edge_pressure_is_that_of_hertz():
     s = 1e-8
     assert limits.hertz_pressure(1 - s) == pytest.approx(limits.EDGE_PRESSURE * np.sqrt(s), rel=1e-7)

@@ -13,6 +13,13 @@ the layer has no parameter left (Bissett & Spence 1989; Snoeijer, Eggers & Venne
 
 The inlet has a solution for one u∞ only.  The outlet has one for every u∞, and u∞ is what the inlet sent.
 
+For a power-law liquid of index n the first equation of the inlet is u^(n+1) p′ = x(1 − u∞/u), where x(c) is the gradient that
+drives back a share c of what the walls entrain (`softlube.theory.power_law`); x = c for n = 1.  Then
+
+    V = [(2n + 1)/n]ⁿ |cos θ|ⁿ/(3β),  ℓ = (V/Aⁿ⁺²)^(2/(3n+2))
+
+with β formed with the viscosity K (v/|h₀|)^(n−1) that the liquid has at the rate v/|h₀|, v being the sum of the surface speeds.
+
 Numerically, s = s₀ + L sinh t on the whole line, or s = L eᵗ behind a free boundary.  On a uniform mesh in t all fields decay
 or grow like powers of eᵗ, and the sinc formulas for derivative and logarithmic potential converge geometrically.
 """
@@ -28,6 +35,8 @@ from scipy.interpolate import BarycentricInterpolator
 from scipy.linalg import solve_triangular
 from scipy.optimize import minimize_scalar
 from scipy.special import sici
+
+from softlube.theory.power_law import PowerLawFlow
 
 Array = NDArray[np.floating]
 
@@ -63,10 +72,15 @@ OUTLET_MESH = Mesh(step=0.1, outer=14.0, inner=40.0, length=0.1, centre=-0.14)
 FRONT = Mesh(step=0.1, outer=34.0, inner=40.0, length=0.1)
 """Meshes of the inlet, the outlet full of liquid and the outlet with a free boundary; errors in docs/theory/asymptotics.md."""
 
+NEWTONIAN = PowerLawFlow()
+INDICES = (0.25, 1.5)
+"""Power-law indices for which the iteration is known to find the inlet."""
 SWITCH = 4.0
 """Where in t the weight falls off that keeps the integrated Reynolds equation to the outside."""
 BETWEEN = (-2.0, 6.0)
 """Range of t where the inlet's equations are also imposed half-way between the nodes."""
+LEAST_FILM = 0.3
+"""Share of u∞ that the film counts as at least, so that a wild iterate of Newton's method has one; no solution goes below."""
 HALF = 7
 """Reach of the local integration formula, of order 14."""
 
@@ -187,11 +201,12 @@ def _interval_weights() -> Array:
 
 @dataclass(frozen=True)
 class Part:
-    """A pressure, the film under it, and its derivative, at the points."""
+    """A pressure, the film under it, and its derivative, at the points; and the pressure to count with at the outer end."""
 
     pressure: Array
     film: Array
     gradient: Array
+    end: float = 0.0
 
 
 def smooth_edge(s: Array, length: float) -> Part:
@@ -210,6 +225,31 @@ def smooth_edge(s: Array, length: float) -> Part:
     )
 
 
+def _outer_tail(s: Array, length: float, flow: PowerLawFlow) -> Part:
+    """Pressure that the dry gap leaves far outside the inlet, C|s|^(−a) with a = (3n + 1)/2; as small as s^(−3/2) inside.
+
+    There u^(n+1) p′ is the gradient that drives everything back.  With Re (z + i)^(−a)/cos πa outside, no film grows inside;
+    (z + i)^(−3/2), which has no pressure far outside, keeps it finite where a is near 3/2 (n = 2/3).
+    """
+    n = flow.index
+    a = (3 * n + 1) / 2
+    strength = float(flow.gradient(np.array(1.0))[0]) * (4 * np.pi / 3) ** -(n + 1) / a * length**-a
+    logarithm = np.log(s / length + 1j)
+    excess = a - 1.5 if abs(a - 1.5) > 1e-9 else 1e-9  # the limit, to nine digits
+    factor = strength / np.sin(np.pi * excess)
+
+    def part(power: float, share: float = 1.0, base: float = 1.0) -> Array:
+        """share·z^(power − excess) − base·z^power."""
+        return np.exp(power * logarithm) * (share * np.expm1(-excess * logarithm) + share - base)
+
+    film = part(-0.5, 1 / (-0.5 - excess), -2.0)
+    return Part(
+        pressure=factor * part(-1.5).real,
+        film=-2 * np.pi * length * factor * film.imag,
+        gradient=factor / length * part(-2.5, -1.5 - excess, -1.5).real,
+    )
+
+
 def _sharp_edge(s: Array) -> Part:
     """Pressure √s on s > 0 alone, under which there is no gap."""
     return Part(np.sqrt(s), np.zeros_like(s), 0.5 / np.sqrt(s))
@@ -225,15 +265,17 @@ def _edge_shift(s: Array, length: float) -> Part:
     return Part(root / (s + length), film, (length - s) / (2 * root * (s + length) ** 2))
 
 
-def _solve(t: Array, line: SincLine, sign: int, known: Part, unknown: Part | None, film_inside: float | None) -> Similarity:
+def _solve(
+    t: Array, line: SincLine, flow: PowerLawFlow, sign: int, known: Part, unknown: Part | None, film_inside: float | None
+) -> Similarity:
     """Gauss-Newton method for q = p − p₀ − e p₁ at the nodes, and for the number e.
 
     The film is u∞ + u₀ + e u₁ − 2∫ q ln|s − s′| ds′.  The number is u∞ itself where that is not given (inlet), else the
     strength of `unknown` (free boundary), else nothing (full outlet).  At the nodes with t < 0 the Reynolds equation is taken
-    integrated from the outer end, p = ±∫ (u − u∞)/u³ ds, which is well conditioned where the film is thick; elsewhere as it
-    stands.
+    integrated from the outer end, p = ±∫ x(1 − u∞/u)/u^(n+1) ds, which is well conditioned where the film is thick; elsewhere
+    as the flux that it is, u c(u^(n+1) p′) = ±(u − u∞).
     """
-    n, m = t.size, line.s.size
+    n, m, power = t.size, line.s.size, flow.index + 1
     zero, one, node = np.zeros(m), np.ones(m), slice(0, n)
     at_inlet = film_inside is None
     part = unknown or Part(zero, one if at_inlet else zero, zero)
@@ -245,22 +287,26 @@ def _solve(t: Array, line: SincLine, sign: int, known: Part, unknown: Part | Non
     rows = line.ds**-0.25
     rows[outside] = columns[outside]
 
-    q, e = np.zeros(n), 0.4 if at_inlet else 0.0
+    q, e = np.zeros(n), 0.4 - min(0.0, float(known.film.min())) if at_inlet else 0.0
     for _ in range(40):
         inside = e if film_inside is None else film_inside
         film = (0.0 if at_inlet else inside) + known.film + e * part.film + line.potential @ q
+        film = np.maximum(film, LEAST_FILM * inside)
         gradient = known.gradient + e * part.gradient + line.derivative @ q
         pressure = (known.pressure + e * part.pressure)[node] + q
 
-        by_film = 3 * sign * film**2 * gradient - 1
-        defect = sign * film**3 * gradient - (film - inside)
-        by_q = by_film[:, None] * line.potential + sign * (film**3)[:, None] * line.derivative
-        by_e = by_film * part.film + sign * film**3 * part.gradient + at_inlet
+        driven = sign * film**power * gradient
+        back, back_slope = flow.backflow(driven)
+        by_film, by_gradient = back + power * driven * back_slope - 1, sign * film ** (power + 1) * back_slope
+        defect = film * back - (film - inside)
+        by_q = by_film[:, None] * line.potential + by_gradient[:, None] * line.derivative
+        by_e = by_film * part.film + by_gradient * part.gradient + at_inlet
 
         u, measure = film[node], sign * weight * line.ds[node]
-        slope, slope_by_film = measure * (u - inside) / u**3, measure * (3 * inside - 2 * u) / u**4
-        slope_by_e = slope_by_film * part.film[node] - at_inlet * measure / u**3
-        defect[outside] = (weight * pressure)[outside] - integral @ (weight_slope * pressure + slope)
+        x, x_slope = flow.gradient(1 - inside / u)
+        slope, slope_by_film = measure * x / u**power, measure * (x_slope * inside / u - power * x) / u ** (power + 1)
+        slope_by_e = slope_by_film * part.film[node] - at_inlet * measure * x_slope / u ** (power + 1)
+        defect[outside] = (weight * pressure)[outside] - known.end - integral @ (weight_slope * pressure + slope)
         by_q[outside] = -(integral * slope_by_film) @ line.potential[node] - integral * weight_slope
         by_q[outside, outside] += weight[outside]
         by_e[outside] = (weight * part.pressure[node])[outside] - integral @ (weight_slope * part.pressure[node] + slope_by_e)
@@ -274,11 +320,8 @@ def _solve(t: Array, line: SincLine, sign: int, known: Part, unknown: Part | Non
         orthogonal, triangular = np.linalg.qr(matrix * scale[:, None] / columns)
         step = solve_triangular(triangular, orthogonal.T @ (right * scale)) / columns
         q_step, e_step = step[:n], float(step[n:].sum())
-        film_step = e_step * part.film + line.potential @ q_step
-        falling = film_step < 0
-        fraction = min(1.0, float(np.min(0.7 * film[falling] / -film_step[falling], initial=1.0)))
-        q, e = q + fraction * q_step, e + fraction * e_step
-        if fraction == 1 and np.max(np.abs(film_step) / film) < 1e-9:  # the convergence is quadratic
+        q, e = q + q_step, e + e_step
+        if np.max(np.abs(e_step * part.film + line.potential @ q_step) / film) < 1e-9:  # the convergence is quadratic
             break
     else:
         raise RuntimeError("the similarity problem's Newton iteration did not converge on this mesh")
@@ -301,7 +344,7 @@ def _whole_line(mesh: Mesh, points: Array) -> SincLine:
 
 
 @cache
-def inlet(mesh: Mesh = INLET_MESH) -> Similarity:
+def inlet(mesh: Mesh = INLET_MESH, flow: PowerLawFlow = NEWTONIAN) -> Similarity:
     """The inlet: the one film u∞ that is drawn in, and how it gets there.
 
     A square collocation system has here, and only here, a spurious solution that alternates from node to node (its symbol winds
@@ -311,16 +354,24 @@ def inlet(mesh: Mesh = INLET_MESH) -> Similarity:
     ----------
     mesh : Mesh
         Resolution.
+    flow : PowerLawFlow
+        Index of the liquid, from 0.25 to 1.5, and slide-to-roll ratio of the surfaces.
 
     Raises
     ------
+    ValueError
+        If the index is beyond.
     RuntimeError
         If the mesh is too coarse for the iteration to converge.
     """
+    if not INDICES[0] <= flow.index <= INDICES[1]:
+        raise ValueError(f"index: expected a number from {INDICES[0]:g} to {INDICES[1]:g}, got {flow.index!r}")
     t = mesh.t
     between = t[(t > BETWEEN[0]) & (t < BETWEEN[1])] + mesh.step / 2
     line = _whole_line(mesh, np.append(t, between))
-    return _solve(t, line, +1, smooth_edge(line.s, 0.5), None, None)
+    edge, tail = smooth_edge(line.s, 1.2), _outer_tail(line.s, 2.0, flow)  # as smooth as needed to begin at any index
+    known = Part(edge.pressure + tail.pressure, edge.film + tail.film, edge.gradient + tail.gradient, tail.pressure[0])
+    return _solve(t, line, flow, +1, known, None, None)
 
 
 @cache
@@ -348,7 +399,7 @@ def outlet(cavitation: str = "reynolds", film_inside: float | None = None, mesh:
     if cavitation == "none":
         mesh = mesh or OUTLET_MESH
         line = _whole_line(mesh, mesh.t)
-        return _solve(mesh.t, line, -1, smooth_edge(line.s, 0.3), None, film_inside)
+        return _solve(mesh.t, line, NEWTONIAN, -1, smooth_edge(line.s, 0.3), None, film_inside)
     mesh = mesh or FRONT
     s = mesh.length * np.exp(mesh.t)
-    return _solve(mesh.t, sinc_line(mesh.t, mesh.t, s, s), -1, _sharp_edge(s), _edge_shift(s, 0.2), film_inside)
+    return _solve(mesh.t, sinc_line(mesh.t, mesh.t, s, s), NEWTONIAN, -1, _sharp_edge(s), _edge_shift(s, 0.2), film_inside)

@@ -29,6 +29,7 @@ __all__ = [
     "far_field_profile",
     "far_front_angle",
     "film_center_asymptote",
+    "film_center_power_law",
     "film_constant",
     "film_contact_asymptote",
     "film_inlet_asymptote",
@@ -66,11 +67,30 @@ def _terms(terms: int, available: int = 2) -> int:
 
 
 @cache
-def film_constant() -> float:
-    """Constant c of the law u(0) → c β^(−3/5), by the inlet's similarity problem; 1.1070049254."""
-    from softlube.theory.inlet import inlet
+def film_constant(index: float = 1.0, slide_to_roll: float = 2.0) -> float:
+    """Constant c of the law u(0) → c β^(−3/(3n+2)), by the inlet's similarity problem; 1.1070049254 for constant viscosity.
 
-    return EDGE_PRESSURE**-0.8 * inlet().film_inside
+    For a power-law liquid β is formed with the viscosity K (v/h)^(n−1) that it has at the shear rate v/h, where v is the sum of
+    the surface speeds and h the unit of height.  As that depends on v, the film goes like v^(3n/(3n+2)).
+
+    Parameters
+    ----------
+    index : float
+        Power-law index n, from 0.25 to 1.5.
+    slide_to_roll : float
+        Difference of the surface speeds over their mean: 0 in pure rolling, 2 where one surface rests.
+
+    Raises
+    ------
+    ValueError
+        If the index is beyond.
+    """
+    from softlube.theory.inlet import inlet
+    from softlube.theory.power_law import PowerLawFlow
+
+    layer = inlet(flow=PowerLawFlow(index, slide_to_roll if index != 1 else 0.0))
+    entrainment = ((2 * index + 1) / index) ** index / 3
+    return float(EDGE_PRESSURE ** (-4 / (3 * index + 2)) * entrainment ** (3 / (3 * index + 2)) * layer.film_inside)
 
 
 def film_contact_asymptote(x: ArrayLike, y: ArrayLike, beta: float, terms: int = 2) -> Array:
@@ -111,6 +131,22 @@ def film_center_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
     beta, c = np.asarray(beta, dtype=float), film_constant()
     second = c**2 / np.pi * beta**-0.2 if _terms(terms) == 2 else 0.0
     return c * beta**-0.6 * (1 - second)
+
+
+def film_center_power_law(beta: ArrayLike, index: float, slide_to_roll: float = 2.0) -> Array:
+    """Film of a power-law liquid at the centre as β → ∞, the leading term c β^(−3/(3n+2)).
+
+    What is left out falls like β^(−1/(3n+2)) relative to it; in pure rolling like β^(−1/(n(3n+2))) for n > 1/2, and like
+    β^(−2/(3n+2)) below.
+
+    Parameters
+    ----------
+    beta : array_like
+        Eq. (6d), with the viscosity as in `film_constant`.
+    index, slide_to_roll
+        See `film_constant`.
+    """
+    return film_constant(index, slide_to_roll) * np.asarray(beta, dtype=float) ** (-3 / (3 * index + 2))
 
 
 def film_inlet_asymptote(beta: ArrayLike, terms: int = 2) -> Array:
