@@ -123,13 +123,12 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     answers : binary stream
         For each file a line of JSON, what `content` says or {"refused": why}, and the values.
     """
-    import h5py  # its own memory does not count
+    import h5py  # so that no file pays for its memory
 
     del h5py
-    own = _memory()
     while line := requests.readline():
         image = requests.read(int(line))
-        with _timed(), _bounded(own + LEAST_MEMORY + MEMORY_PER_BYTE * len(image) if own else 0):
+        with _timed(), _bounded(LEAST_MEMORY + MEMORY_PER_BYTE * len(image)):
             try:
                 about, values = content(image)
             except Refused as refusal:
@@ -142,27 +141,24 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
         answers.flush()
 
 
-def _memory() -> int:
-    """Bytes that this process has asked the system for; 0 where the system does not say."""
-    try:
-        with open("/proc/self/statm") as said:
-            return int(said.read().split()[0]) * os.sysconf("SC_PAGESIZE")
-    except OSError:
-        return 0
-
-
 @contextmanager
 def _bounded(memory: int) -> Generator[None]:
-    """Have the system give this process no more than some bytes; 0 for no bound."""
-    if not memory:
+    """Have the system give this process no more than some bytes beyond what it has; no bound where that is unknown.
+
+    Memory that can be written counts, not addresses: C libraries reserve those by the ten megabytes, in every thread.
+    """
+    try:
+        with open("/proc/self/statm") as said:
+            own = int(said.read().split()[5]) * os.sysconf("SC_PAGESIZE")
+    except OSError:
         yield
         return
     import resource  # not on every system
 
-    usual = resource.getrlimit(resource.RLIMIT_AS)
-    resource.setrlimit(resource.RLIMIT_AS, (memory, usual[1]))
+    usual = resource.getrlimit(resource.RLIMIT_DATA)
+    resource.setrlimit(resource.RLIMIT_DATA, (own + memory, usual[1]))
     yield
-    resource.setrlimit(resource.RLIMIT_AS, usual)
+    resource.setrlimit(resource.RLIMIT_DATA, usual)
 
 
 @contextmanager
