@@ -300,7 +300,9 @@ class StandardLinearSolid(Remembering):
 
     kind: ClassVar[str] = "standard-linear-solid"
     stiffening: float = given("Instantaneous over relaxed modulus of a standard linear solid, above 1", NUMBER, "10")
-    relaxation_time: float = given("Relaxation time of a standard linear solid, at constant strain", TIME, "1 ms")
+    relaxation_time: float = given(
+        "Relaxation time of a standard linear solid, at constant strain", TIME, "1 ms", flat="substrate_relaxation_time"
+    )
 
     def checked(self, values: dict[str, Any]) -> dict[str, Any]:
         """The values; an instantaneous modulus is the larger one."""
