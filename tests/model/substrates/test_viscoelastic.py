@@ -102,7 +102,8 @@ def test_a_standard_linear_solid_is_a_series_of_one():
 
 def test_the_substrate_is_chosen_by_its_inputs():
     by_series = resolve(["substrate"], {"young_modulus": "3 MPa", "prony": "9 MPa @ 1 ms"})["substrate"]
-    named = resolve(["substrate"], {"young_modulus": "3 MPa", "stiffening": 4, "substrate_relaxation_time": "1 ms"})["substrate"]
+    inputs = {"young_modulus": "3 MPa", "stiffening": 4, "substrate_relaxation_time": "1 ms"}
+    named = resolve(["substrate"], inputs)["substrate"]
     assert (type(by_series), type(named)) == (Viscoelastic, StandardLinearSolid)
     with pytest.raises(InputError, match="prony, thickness: no substrate has both"):
         resolve(["substrate"], {"young_modulus": "3 MPa", "thickness": "2 mm", "prony": "9 MPa @ 1 ms"})
