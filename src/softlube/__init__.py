@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from softlube.files.histories import read_history
     from softlube.files.netcdf import load
     from softlube.model import dry, liquids, substrates
-    from softlube.model.indenters import Sphere
+    from softlube.model.indenters import PowerProfile, RoundedCone, RoundedPunch, Sphere
     from softlube.model.liquids import Barus, DowsonHigginson, Incompressible, Newtonian, Roelands
     from softlube.model.motions import Rolling, Sliding
     from softlube.model.problem import Problem
@@ -97,11 +97,14 @@ __all__ = [
     "Measurements",
     "Newtonian",
     "NotConvergedError",
+    "PowerProfile",
     "Problem",
     "Quantity",
     "Rig",
     "Roelands",
     "Rolling",
+    "RoundedCone",
+    "RoundedPunch",
     "Slide",
     "Sliding",
     "SoftlubeError",

@@ -162,7 +162,7 @@ def test_a_soft_ball_on_a_thin_layer_hardly_feels_it():
 def test_a_sphere_must_fit_into_its_cup():
     cup = softlube.Contact(**BALL, substrate_radius="-4 mm")
     assert cup.reduced_radius == pytest.approx(4e-3)
-    assert cup.bearing_radius == pytest.approx(2e-3)
+    assert cup.steepness(1e-3) == pytest.approx(1e-3 / 2e-3)
     for radius in ("-2 mm", "-1 mm"):
         with pytest.raises(InputError, match=r"substrate_radius: a cup must be wider than the sphere, of 0\.002 m; got -0\.00"):
             softlube.Contact(**BALL, substrate_radius=radius)

@@ -23,14 +23,14 @@ def _start(motion):
 
 def test_start_of_a_light_load_is_taylor_s():
     film, p = _start(constant_load(1e-6, 2.0, 1.0))
-    assert p == pytest.approx(1e-6 * 2 * 2 / np.pi / 4 / (2 + film.parabola) ** 2, rel=2e-4)
+    assert p == pytest.approx(1e-6 * 2 * 2 / np.pi / 4 / (2 + film.shape) ** 2, rel=2e-4)
     assert film.load(p) == pytest.approx(1e-6, rel=1e-9)
 
 
 def test_start_of_a_constant_speed_squeezes_out_what_it_displaces():
     """u³ ∂p/∂r = −V r/2 with the film that the pressure makes."""
     film, p = _start(constant_speed(0.5, 1.0, 1.0))
-    u = 1.0 + film.parabola + film.compliance @ p
+    u = 1.0 + film.shape + film.compliance @ p
     assert u[0] > 1.3  # not a rigid sphere
     flux = film.conductance * (film.midpoint @ u) ** 3 * (film.slope @ p)
     rate = film.rate(flux)

@@ -253,7 +253,7 @@ def _region(solution: Solution) -> str:
         return "The friction is not given, see the warning."
     edge = Regime.of(solution.problem).edge_radius
     more = [f"over r ≤ {2 * DOMAIN:g}a {total_within(solution, 2 * DOMAIN * edge, ratio) / counted - 1:+.1%}"]
-    if contact is not None:
+    if contact is not None and contact.radius:  # no other indenter has one
         more.append(
             f"over r ≤ R about {total_within(solution, contact.radius / contact.unit_length, ratio) / counted - 1:+.0%}"
         )

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from softlube.discretization.elasticity import ElasticOperator, elastic_operator, rim_slice
 from softlube.discretization.fields import Fields
-from softlube.discretization.grid import PolarGrid
+from softlube.discretization.grid import RIM, PolarGrid
 from softlube.discretization.preconditioner import Border, FilmBalance, FilmEquation, local_stiffness
 from softlube.discretization.reynolds import Flow, ReynoldsOperator
 from softlube.model.dry import dry_contact, smeared_contact
@@ -63,7 +63,7 @@ class ContactSystem:
 
     They keep their form whatever height the lengths are normalised with.  So the unit is chosen to suit the grid: the
     problem's own (|h₀|, or the Hertz indentation of the load) times `scale`, which makes β scale² times the problem's, and
-    the load 4/(3π) scale^(−3/2) where it is prescribed; substrate and liquid come along.
+    the load 4/(3π) scale^(−3/2) where it is prescribed; substrate, liquid and indenter come along.
 
     Parameters
     ----------
@@ -82,6 +82,7 @@ class ContactSystem:
         self.prescribed = HERTZ_LOAD * scale**-1.5 if problem.load_controlled else problem.height / scale
         # Lengths scale with the root of the unit, and so do pressures.
         self.substrate, self.liquid = problem.substrate.in_units(scale), problem.liquid.in_units(scale)
+        self.indenter = problem.indenter.in_units(scale)
         self.elastic, self.reynolds, self.balance, displaced = _operators(grid, problem.cavitation, self.substrate)
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.self_deflection = np.zeros(grid.shape[0] * grid.shape[1])
@@ -90,12 +91,13 @@ class ContactSystem:
         self.constrained[:n] = problem.cavitation == "reynolds"
         # The far field, and with it the film, is linear in h₀: value = [0] + h₀ [1].
         rim = rim_slice(grid)
-        far = self.speed * self.elastic.far_pressure[:, rim]
+        strength = self.speed * np.array(self.indenter.far_field(float(grid.r[-RIM])))
+        far = strength[:, None] * self.elastic.far_pressure[:, rim]
         self.rim_pressure = far
-        self.film_offset = self.speed * displaced
-        self.film_offset[0] += np.repeat(grid.r**2 / 2, grid.shape[1])
+        self.film_offset = strength[:, None] * displaced
+        self.film_offset[0] += np.repeat(self.indenter.height(grid.r), grid.shape[1])
         self.film_offset[1] += 1
-        self.load_offset = self.speed * self.elastic.far_load + far @ self.elastic.load_weights[rim]
+        self.load_offset = strength * self.elastic.far_load + far @ self.elastic.load_weights[rim]
 
     def height(self, x: Array) -> float:
         """Height h₀ of the sphere's lowest point."""
@@ -156,7 +158,7 @@ class ContactSystem:
         difference of large ones).  Far outside the far field is added, so that the free boundary starts where it ends.  High
         over the surface, h₀ > 1: the pressure under a rigid sphere (Kapitza) with the far field's profile in angle.
         """
-        height = -dry_contact(self.substrate).indentation if height is None else height
+        height = -dry_contact(self.substrate, 1.0, self.indenter).indentation if height is None else height
         if not self.problem.load_controlled:
             height = self.prescribed
         r = self.grid.r[: self.grid.n_r, None]
@@ -164,14 +166,15 @@ class ContactSystem:
         if height > 1:
             pressure = kapitza_pressure(r, 0.0, self.beta, height) * profile / 0.8
         else:
-            dry = dry_contact(self.substrate)
+            dry = dry_contact(self.substrate, 1.0, self.indenter)
             beta = max(dry.like_hertz(self.beta), 1.0)
-            width = min(0.5, 1.5 * beta**-0.4)  # of the boundary layer
+            width = min(0.5, 1.5 * beta**-0.4) * min(1.0, 2 / dry.exponent)  # of the boundary layer
             lift = wanted = dry.edge_rise * beta**-0.6
             outside = self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
             pressure = outside
             for _ in range(LIFTS):
-                pressure = smeared_contact(self.substrate, dry.indentation + lift, width)(r) + outside
+                deeper = smeared_contact(self.substrate, dry.indentation + lift, width, self.indenter, dry.exponent)
+                pressure = deeper(r) + outside
                 lowest = float(np.min(self.film(self._unknowns(pressure, height))))
                 if lowest > LEAST_LIFT * wanted:
                     break
@@ -240,7 +243,7 @@ class LinearisedContact:
             by_height = self.change(np.concatenate([np.zeros(n), system.rim_pressure[1]]), system.film_offset[1])
             # Under a light load the pressure hardly moves the film, and would drown in the changes by the height.
             center = float(self.film[0])
-            deflection = abs(center - system.height(self.x) - float(system.grid.r[0]) ** 2 / 2)
+            deflection = abs(center - system.height(self.x) - float(system.indenter.height(system.grid.r[0])))
             unit = center * max(1.0, center / max(deflection, 1e-300))
             border = Border(by_height, system.elastic.load_weights[:n], float(system.load_offset[1]), unit)
         return FilmEquation(self.times, system.balance, self.balance_entries(), free[:n], self.film[:n], border)

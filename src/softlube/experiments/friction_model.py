@@ -278,7 +278,7 @@ def _half_decade(beta: float, rounded: Any) -> float:
 
 
 def _numbers(problem: Problem) -> list[float]:
-    """Numbers of the normalised substrate and liquid, in the order in which they are declared."""
+    """Numbers of the normalised substrate, liquid and indenter, in the order in which they are declared."""
 
     def leaves(value: Any) -> list[float]:
         if isinstance(value, Mapping):
@@ -286,7 +286,7 @@ def _numbers(problem: Problem) -> list[float]:
         return [float(value)] if isinstance(value, int | float) and not isinstance(value, bool) else []
 
     plain = problem.to_plain()
-    return [leaf for name in ("substrate", "liquid") for leaf in leaves(plain.get(name, {})) if leaf > 0]
+    return [leaf for name in ("substrate", "liquid", "indenter") for leaf in leaves(plain.get(name, {})) if leaf > 0]
 
 
 def make_model(

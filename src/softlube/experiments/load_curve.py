@@ -25,6 +25,7 @@ from softlube.errors import InputError
 from softlube.experiments.adaptive import Numbers
 from softlube.experiments.curves import Computing, clipped
 from softlube.experiments.nodes import Node, at, solving
+from softlube.model.indenters import Paraboloid
 from softlube.model.liquids import NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel
@@ -249,7 +250,8 @@ def _computed(
 
 def _from_table(problem: Problem, low: float, high: float, region: str | float, accuracy: float) -> LoadCurve | None:
     """The curve from the master curve, None where that has not all of it, or not as accurately."""
-    if (problem.substrate, problem.liquid, radius_of(region)) != (HalfSpaceKernel(), NewtonianLaw(), DOMAIN):
+    models = problem.substrate, problem.liquid, problem.indenter
+    if models != (HalfSpaceKernel(), NewtonianLaw(), Paraboloid()) or radius_of(region) != DOMAIN:
         return None
     from softlube.theory import master_curve as master
 

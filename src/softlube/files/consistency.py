@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields as declared
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,7 +77,7 @@ def check_consistency(solution: Solution, displacement: Array) -> None:
         if isinstance(fields.chart, PolarGrid):
             for name, nodes in (("r", fields.chart.r), ("theta", fields.chart.theta)):
                 _agree(name, getattr(fields, name), nodes, "the grid's node", 1e-9 + ROUND_OFF * nodes)
-        gap = fields.height + fields.r[:, None] ** 2 / 2 - displacement  # Eqs. (6b) and (6c)
+        gap = fields.height + solution.problem.indenter.height(fields.r[:, None]) - displacement  # Eqs. (6b) and (6c)
         _agree("film", fields.film, gap, "the gap over the displaced surface", 1e-12 * (1 + fields.r[:, None] ** 2))
         if fields.cavitation == "reynolds" and np.any(fields.pressure < 0):
             raise Damaged(f"pressure: expected none below zero, got {fields.pressure.min():g}")
@@ -116,8 +117,8 @@ def _check_quantities(solution: Solution) -> None:
         raise Damaged(f"load_other: expected {'quantities in the other normalisation' if not other else 'none'}")
     if other:
         by_load = problem.load_controlled
-        substrate = problem.substrate.in_units(unit)
-        there = Problem(beta=1.0 if by_load else None, beta_load=None if by_load else 1.0, substrate=substrate)
+        models: dict[str, Any] = {"substrate": problem.substrate.in_units(unit), "indenter": problem.indenter.in_units(unit)}
+        there = Problem(beta=1.0 if by_load else None, beta_load=None if by_load else 1.0, **models)
         _check_result(other, _measured(fields.in_units(unit), there), "_other")
 
 

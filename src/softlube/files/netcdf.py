@@ -61,7 +61,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     normalised the other way (see `Solution.normalised`), those ending in ``_SI`` are in SI units if the input was physical.
     """
     fields = solution.fields
-    displacement = (fields.height + fields.r[:, None] ** 2 / 2) - fields.film
+    displacement = (fields.height + solution.problem.indenter.height(fields.r[:, None])) - fields.film
     values = {"pressure": fields.pressure, "film": fields.film, "displacement": displacement}
     data: dict[str, xr.DataArray] = {name: xr.DataArray(values[name], dims=PLANE, attrs=about(name)) for name in values}
     own, other = ("load", "indentation") if solution.problem.load_controlled else ("indentation", "load")
@@ -78,7 +78,7 @@ def to_dataset(solution: Solution) -> xr.Dataset:
         for name, each in plane(fields.r, fields.theta).items()
     }
     chart = fields.chart
-    attributes = head(f"Lubricated sliding of a rigid sphere on {solution.problem.substrate.words}") | {
+    attributes = head(f"Lubricated sliding of {solution.problem.indenter.words} on {solution.problem.substrate.words}") | {
         "method": solution.method,
         "beta": solution.beta,
         "beta_load": solution.beta_load,

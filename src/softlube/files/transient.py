@@ -14,8 +14,9 @@ from softlube.files.cf import AXES, ERROR, about_error, head, plane, schema_of
 from softlube.files.hdf5 import Rule, check, read
 from softlube.files.reading import Damaged
 from softlube.files.writing import check_destination, netcdf, write_whole
+from softlube.model import indenters, substrates
 from softlube.model import liquids as liquids
-from softlube.model import substrates
+from softlube.model.dry import PARABOLOID
 from softlube.model.quantities import QUANTITIES
 from softlube.transient.extremes import Extremes
 
@@ -68,6 +69,8 @@ def to_dataset(result: Transient) -> xr.Dataset:
         "substrate": json.dumps(substrates.to_plain(result.motion.substrate)),
         "liquid": json.dumps(liquids.to_plain(result.motion.liquid)),
     }
+    if result.motion.indenter != PARABOLOID:
+        attributes["indenter"] = json.dumps(indenters.to_plain(result.motion.indenter))
     return in_units(xr.Dataset(data, coords=coordinates, attrs=attributes), result.setup, result.sliding)
 
 

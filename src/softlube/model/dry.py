@@ -1,12 +1,13 @@
-"""The dry contact of a sphere on any substrate, without friction: the limit β → ∞ of loads, depths and pressures.
+"""The dry contact of an indenter on any substrate, without friction: the limit β → ∞ of loads, depths and pressures.
 
 The pressure's Hankel transform is written as p̃(k) = ∫₀^a φ(s) cos ks ds, which makes p vanish beyond the contact radius a.
-The displacement −w = 2π∫C(k) p̃(k) J₀(kr) dk = δ − r²/2 inside becomes, by Abel's transformation, a Fredholm equation of
-the second kind (Lebedev & Ufliand 1958 for layers),
+The displacement −w = 2π∫C(k) p̃(k) J₀(kr) dk = δ − f(r) inside, with the indenter's shape f, becomes by Abel's transformation
+a Fredholm equation of the second kind (Lebedev & Ufliand 1958 for layers),
 
-    φ(x) + (2/π) ∫₀^a M(x, s) φ(s) ds = (δ − x²)/π²,      M(x, s) = ∫₀^∞ (C(k) − 1) cos kx cos ks dk,
+    φ(x) + (2/π) ∫₀^a M(x, s) φ(s) ds = (δ − g(x))/π²,      M(x, s) = ∫₀^∞ (C(k) − 1) cos kx cos ks dk,
 
-and p stays finite at the edge if φ(a) = 0.  The half-space, C = 1, is Hertz's contact: δ = a².
+with the transform g(x) = x ∫₀ˣ f′(r)/√(x² − r²) dr, x² of the paraboloid, and p stays finite at the edge if φ(a) = 0.  On the
+half-space, C = 1, that is the contact of Galin (1946) and Sneddon (1965): δ = g(a), and Hertz's for the paraboloid, δ = a².
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -21,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.indenters import Paraboloid, Shape
 from softlube.model.substrates import Substrate
 from softlube.model.substrates.layer import EVEN
 
@@ -34,20 +38,27 @@ POINTS_PER_WAVE = 0.2
 
 @dataclass(frozen=True)
 class DryContact:
-    """A sphere pressed on a substrate, dry.
+    """An indenter pressed on a substrate, dry.
 
     Attributes
     ----------
     radius : float
         Contact radius a, in units of length.
     indentation : float
-        Depth δ of the sphere's lowest point below the undeformed surface, in units of height.
+        Depth δ of the indenter's lowest point below the undeformed surface, in units of height.
     load : float
         ∫p dA.
     edge_rise : float
         Pressure close inside the edge over that of the Hertz contact of the same radius, p = edge_rise (2/π²) √(2a(a − r)).
     slope : callable
         φ′(s) for 0 ≤ s ≤ a.
+    shape_rise : float
+        `edge_rise` of the indenter's contact of the same radius on a half-space, g′(a)/2a; 1 for the paraboloid.
+    exponent : float
+        Local exponent a g′(a)/g(a) of that contact's depth with its radius; 2 for the paraboloid, the larger the narrower the
+        zone at the edge in which the pressure rises.
+    corners : tuple of float
+        Radii within the contact at which a derivative of the shape jumps.
     """
 
     radius: float
@@ -55,6 +66,19 @@ class DryContact:
     load: float
     edge_rise: float
     slope: Callable[[Array], Array]
+    shape_rise: float = 1.0
+    exponent: float = 2.0
+    corners: tuple[float, ...] = ()
+
+    @property
+    def substrate_rise(self) -> float:
+        """How much of `edge_rise` is the substrate's: 1 on a half-space, whatever the indenter."""
+        return self.edge_rise / self.shape_rise
+
+    @property
+    def highest_pressure(self) -> float:
+        """Largest pressure on 101 places, between which it is smooth."""
+        return float(np.max(self.pressure(self.radius * np.linspace(0, 1, 101))))
 
     def like_hertz(self, beta: float) -> float:
         """β of the lubricated half-space whose boundary layers at the contact edge are as wide over the contact radius.
@@ -73,9 +97,20 @@ class DryContact:
         """Pressure at r = ya, 0 ≤ y ≤ 1, over √(1 − y²)."""
         r = self.radius * np.asarray(y, dtype=float)[..., None]
         x, weight = _gauss(48)
-        # s² = r² + τ² takes the root away; φ′(s)/s is smooth.
-        s = np.sqrt(r**2 + (self.radius**2 - r**2) * ((x + 1) / 2) ** 2)
-        return -self.radius / 2 * np.sum(self.slope(s) / np.maximum(s, 1e-12) * weight, axis=-1)
+        # s² = r² + τ² takes the root away; φ′(s)/s is smooth between corners.
+        if not self.corners:
+            s = np.sqrt(r**2 + (self.radius**2 - r**2) * ((x + 1) / 2) ** 2)
+            return -self.radius / 2 * np.sum(self.slope(s) / np.maximum(s, 1e-12) * weight, axis=-1)
+        whole = np.sqrt(np.maximum(self.radius**2 - r**2, 1e-300))
+        edges = [0 * whole, *(np.sqrt(np.clip(each**2 - r**2, 0, whole**2)) for each in self.corners), whole]
+        # Cubic in the place within a piece: φ′ may begin there like a root.
+        t = (x + 1) / 2
+        place, weight = t**2 * (3 - 2 * t), 3 * t * (1 - t) * weight
+        total = np.zeros(r.shape[:-1])
+        for low, high in pairwise(edges):
+            s = np.sqrt(r**2 + (low + (high - low) * place) ** 2)
+            total += np.sum(self.slope(s) / np.maximum(s, 1e-12) * weight * (high - low), axis=-1)
+        return -self.radius * total / whole[..., 0]
 
 
 @lru_cache(maxsize=1)
@@ -84,14 +119,21 @@ def _gauss(points: int) -> tuple[Array, Array]:
     return leggauss(points)
 
 
-def _of_half_space(s: Array) -> Array:
-    """φ′(s) on a half-space."""
-    return -2 * s / np.pi**2
+PARABOLOID = Paraboloid()
 
 
 @lru_cache(maxsize=512)
-def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
+def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PARABOLOID) -> DryContact:
     """Dry contact of a given radius.
+
+    Parameters
+    ----------
+    substrate : Substrate
+        Normalised, see `softlube.model.substrates`.
+    radius : float
+        Contact radius a, in units of length.
+    indenter : Shape
+        Normalised, see `softlube.model.indenters`.
 
     Raises
     ------
@@ -111,35 +153,60 @@ def dry_contact(substrate: Substrate, radius: float = 1.0) -> DryContact:
             f"the layer is too thin beside its contact: the dry contact would take {n} points, and {MOST_POINTS} are the most. "
             "Check the units of thickness, radius, load and modulus."
         )
-    x, weight = leggauss(n)
-    x, weight = radius * (x + 1) / 2, radius * weight / 2
+    corners = tuple(each for each in indenter.corners if each < radius)
+    x, weight = _pieces(n, (0.0, *corners, radius))
+    n = x.size
     waves = np.cos(np.outer(x, k))
     kernel = 2 / np.pi * ((waves * defect) @ waves.T) * weight
-    flat, bowl = np.linalg.solve(np.eye(n) + kernel, np.stack([np.ones(n), x**2], axis=1)).T / np.pi**2
+    right = np.stack([np.ones(n), indenter.depth(x)], axis=1)
+    flat, bowl = np.linalg.solve(np.eye(n) + kernel, right).T / np.pi**2
 
-    def interpolated(phi: Array, right: Array, at: Array) -> Array:
-        """Nyström's interpolation: the equation itself, read at other places."""
+    def remainder(phi: Array, at: Array) -> Array:
+        """What the substrate adds to the right-hand side over π²: Nyström's interpolation, the equation read elsewhere."""
         cosines = np.cos(np.outer(at, k))
-        return right / np.pi**2 - 2 / np.pi * cosines @ (defect * (waves.T @ (weight * phi)))
+        return -2 / np.pi * cosines @ (defect * (waves.T @ (weight * phi)))
 
     rim = np.array([radius])
-    depth = float((interpolated(bowl, rim**2, rim) / interpolated(flat, np.ones(1), rim))[0])
+    own, rise = float(indenter.depth(rim)[0]), float(indenter.depth_slope(rim)[0])
+    of_flat, of_bowl = (1 / np.pi**2 + remainder(flat, rim)[0], own / np.pi**2 + remainder(bowl, rim)[0])
+    depth = float(of_bowl / of_flat)
     phi = depth * flat - bowl
-    slope = _of_half_space
+
+    smooth: Callable[[Array], Any] = np.zeros_like
     if k.size:
         from scipy.interpolate import CubicSpline  # slow to import, and half-spaces do without
 
         s = radius * np.sin(np.linspace(0, np.pi / 2, 2 * n + 1))
-        values = interpolated(phi, depth - s**2, s)
-        values[-1] = 0.0
-        slope = CubicSpline(s, values, bc_type=EVEN).derivative()
+        values = remainder(phi, s)
+        values[-1] = -(depth - own) / np.pi**2
+        smooth = CubicSpline(s, values, bc_type=EVEN).derivative()
+
+    def slope(s: Array) -> Array:
+        """φ′(s): the shape's part, and a smooth one by the substrate."""
+        return smooth(s) - indenter.depth_slope(s) / np.pi**2
+
     # φ′(a) from the derivative of the equation; −2a/π² for Hertz.
-    edge = 1 - np.pi / radius * float(np.sin(radius * k) @ (k * defect * (waves.T @ (weight * phi))))
-    return DryContact(radius, depth, float(2 * np.pi * weight @ phi), edge, slope)
+    shape_rise = rise / (2 * radius)
+    edge = shape_rise - np.pi / radius * float(np.sin(radius * k) @ (k * defect * (waves.T @ (weight * phi))))
+    exponent = radius * rise / own if own > 0 else np.inf
+    return DryContact(radius, depth, float(2 * np.pi * weight @ phi), edge, slope, shape_rise, exponent, corners)
+
+
+def _pieces(points: int, edges: tuple[float, ...]) -> tuple[Array, Array]:
+    """Places and weights of Gauss's quadrature with some points on each of some pieces."""
+    x, weight = leggauss(points)
+    low, width = np.array(edges)[:-1, None], np.diff(edges)[:, None]
+    return (low + width * (x + 1) / 2).ravel(), (width * weight / 2).ravel()
 
 
 @lru_cache(maxsize=512)
-def dry_contact_at(substrate: Substrate, *, indentation: float | None = None, load: float | None = None) -> DryContact:
+def dry_contact_at(
+    substrate: Substrate,
+    *,
+    indentation: float | None = None,
+    load: float | None = None,
+    indenter: Shape = PARABOLOID,
+) -> DryContact:
     """Dry contact of a given indentation or a given load, by the secant method in logarithms.
 
     Examples
@@ -158,20 +225,23 @@ def dry_contact_at(substrate: Substrate, *, indentation: float | None = None, lo
         wanted = float(load)  # type: ignore[arg-type]
         first = (wanted / HERTZ_LOAD) ** (1 / 3)
 
+    def contact_at(log_radius: float) -> DryContact:
+        return dry_contact(substrate, indenter.flat + float(np.exp(log_radius)), indenter)
+
     def miss(log_radius: float) -> float:
-        contact = dry_contact(substrate, float(np.exp(log_radius)))
+        contact = contact_at(log_radius)
         return float(np.log((contact.load if indentation is None else contact.indentation) / wanted))
 
     here, value, slope = float(np.log(first)), miss(float(np.log(first))), 2.5
     for _ in range(40):
         if abs(value) < 1e-12:
-            return dry_contact(substrate, float(np.exp(here)))
+            return contact_at(here)
         there = here - float(np.clip(value / slope, -0.7, 0.7))
         after = miss(there)
         if there != here and after != value:
             slope = (after - value) / (there - here)
         if abs(there - here) < 1e-14:
-            return dry_contact(substrate, float(np.exp(there)))
+            return contact_at(there)
         here, value = there, after
     raise NotConvergedError(f"the dry contact on {substrate!r} was not found")
 
@@ -180,11 +250,27 @@ SMEARED = 200
 """Contacts in a superposition."""
 
 
-def smeared_contact(substrate: Substrate, indentation: float, width: float) -> Callable[[ArrayLike], Array]:
+def smeared_contact(
+    substrate: Substrate, indentation: float, width: float, indenter: Shape = PARABOLOID, exponent: float = 2.0
+) -> Callable[[ArrayLike], Array]:
     """Mean of dry contacts with radii spread over 1 ± width times that of an indentation, smooth at that scale.
 
     Each leaves a gap that is nowhere negative, and so do all together, at the mean of their indentations, which is about the
-    one given (exactly on a half-space).  How the shape of the pressure changes with the radius is interpolated from three.
+    one given (exactly on a half-space under a paraboloid).  How the shape of the pressure changes with the radius is
+    interpolated from three.
+
+    Parameters
+    ----------
+    substrate : Substrate
+        Normalised.
+    indentation : float
+        Depth.
+    width : float
+        Spread of the radii over their mean.
+    indenter : Shape
+        Normalised.
+    exponent : float
+        Power of the radius that the depth goes by, see `DryContact`.
 
     Returns
     -------
@@ -193,9 +279,12 @@ def smeared_contact(substrate: Substrate, indentation: float, width: float) -> C
     """
     spread = width * np.cos(np.pi * (np.arange(SMEARED) + 0.5) / SMEARED)
     # δ is about a², so the mean of the depths is about this much more than that of the mean radius.
-    radius = dry_contact_at(substrate, indentation=indentation / float(np.mean((1 + spread) ** 2))).radius
+    mean = float(np.mean((1 + spread) ** exponent))
+    radius = dry_contact_at(substrate, indentation=indentation / mean, indenter=indenter).radius
     table = np.linspace(0, 1, 201)
-    low, middle, high = (dry_contact(substrate, radius * (1 + part)).smooth_part(table) for part in (-width, 0.0, width))
+    low, middle, high = (
+        dry_contact(substrate, radius * (1 + part), indenter).smooth_part(table) for part in (-width, 0.0, width)
+    )
     t = spread / width
 
     def pressure(r: ArrayLike) -> Array:

@@ -204,6 +204,17 @@ class Input:
         return units.unit_factor(unit, self.unit)
 
 
+class Switch(Input):
+    """An input that is true or false, "yes" or "no" where it is written; not so if not given."""
+
+    def __init__(self, words: str) -> None:
+        super().__init__(words, default=False, choices=("yes", "no"), absent="no")
+
+    def read(self, value: object, name: str | None = None) -> bool:
+        """Whether it is so."""
+        return value if isinstance(value, bool) else super().read(value, name) == "yes"
+
+
 def given(words: str, dimension: Dimension | None = None, example: str = "", **more: Any) -> Any:
     """Declare an input, see `Input`; typed as its value, so that a class says ``radius: float`` of it."""
     return Input(words, dimension, example, **more)

@@ -128,7 +128,7 @@ def vocabulary(slots: Iterable[str]) -> dict[str, Input]:
 @cache
 def _words_of(slot: str) -> dict[str, Input]:
     """Inputs of a slot's kinds, those of the simplest first; forgotten when a new kind is defined."""
-    kinds = sorted(Part.slots[slot].values(), key=lambda each: len(each.inputs))
+    kinds = sorted(Part.slots[slot].values(), key=_simplicity)
     found = {each.name: each for kind in reversed(kinds) for each in kind.inputs.values()}
     ordered = {name: found[name] for kind in kinds for name in kind.attributes}
     selector = kinds[0].selector
@@ -183,20 +183,25 @@ def _by_inputs(slot: str, flat: dict[str, object]) -> Part:
         raise InputError(f"{one}, {other}: no {slot} has both; leave one of them out")
     complete = [each for each in fitting if _required(each) - everywhere <= said.keys()]
     if not complete:
-        nearest = min(fitting, key=lambda each: len(_required(each) - said.keys()))
+        nearest = min(fitting, key=lambda each: (len(_required(each) - said.keys()), not each.usual))
         missing = next(name for name in nearest.attributes if name in _required(nearest) - everywhere - said.keys())
-        simplest = min(kinds.values(), key=lambda each: len(each.inputs))
+        simplest = min(kinds.values(), key=_simplicity)
         first = selector if choice is not None else next((name for name in said if name not in simplest.attributes), None)
         if first is None:
             raise InputError(f"{missing}: missing; expected {names[missing].expected}")
         raise InputError(f"{first}, {missing}: the first means nothing without the second; give both or neither")
-    complete.sort(key=lambda each: (len(each.inputs), not each.usual))
+    complete.sort(key=_simplicity)
     best = complete[0]
     if [(len(each.inputs), each.usual) for each in complete[:2]] == [(len(best.inputs), best.usual)] * 2:
         several = ", ".join(each.kind for each in complete)
         advice = f"; say which by {selector}" if selector else "; give the part itself"
         raise InputError(f"{next(reversed(said), slot)}: an input of several, {several}{advice}")
     return best(**{best.attributes[name]: value for name, value in flat.items() if name in best.attributes})
+
+
+def _simplicity(kind: type[Part]) -> tuple[int, bool]:
+    """What the kinds of a slot are ordered by: few inputs first, the usual one first of those that have as many."""
+    return len(kind.inputs), not kind.usual
 
 
 @cache

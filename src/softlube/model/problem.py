@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
 from softlube.errors import InputError, shown
+from softlube.model import indenters, substrates
 from softlube.model import liquids as liquids
-from softlube.model import substrates
+from softlube.model.indenters import Paraboloid, Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 
@@ -39,6 +40,8 @@ class Problem:
         formed with: |h₀|, or the Hertz indentation that the load would make in a half-space.
     liquid : Liquid
         The laws of viscosity and density, see `softlube.model.liquids`; pressures over 4πG√(unit of height/R).
+    indenter : Shape
+        The indenter's surface, see `softlube.model.indenters`; the paraboloid r²/2 of the paper if not given.
 
     Raises
     ------
@@ -53,6 +56,7 @@ class Problem:
     height: int = -1
     substrate: Substrate = field(default_factory=HalfSpaceKernel)
     liquid: Liquid = field(default_factory=NewtonianLaw)
+    indenter: Shape = field(default_factory=Paraboloid)
 
     def __post_init__(self) -> None:
         if (self.beta is None) == (self.beta_load is None):
@@ -76,7 +80,11 @@ class Problem:
     def to_plain(self) -> dict[str, Any]:
         """The problem in plain values, for files; one of the paper's model looks as it did before there were others."""
         values: dict[str, Any] = {name: getattr(self, name) for name in ("beta", "beta_load", "cavitation", "height")}
-        models = {"substrate": substrates.to_plain(self.substrate), "liquid": liquids.to_plain(self.liquid)}
+        models = {
+            "substrate": substrates.to_plain(self.substrate),
+            "liquid": liquids.to_plain(self.liquid),
+            "indenter": indenters.to_plain(self.indenter),
+        }
         return values | {name: model for name, model in models.items() if len(model) > 1}
 
     @classmethod
@@ -85,6 +93,7 @@ class Problem:
         models: dict[str, Any] = {
             "substrate": substrates.from_plain(values.get("substrate")),
             "liquid": liquids.from_plain(values.get("liquid")),
+            "indenter": indenters.from_plain(values.get("indenter")),
         }
         return cls(**(dict(values) | models))
 

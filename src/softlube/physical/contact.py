@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from softlube.errors import InputError, warn
+from softlube.model.dry import PARABOLOID
+from softlube.model.indenters import Sphere
 from softlube.model.inputs import exactly_one, read
 from softlube.model.liquids.newtonian import NewtonianLaw
 from softlube.model.motions import FIXED_BALL, SteadyMotion
@@ -49,6 +51,11 @@ TOO_WIDE = (
     "R. Check the units of radius, modulus and {name}"
 )
 WIDE = "the {what} {share:.2g} R: beyond {largest:g} R linear elasticity and the parabolic sphere are in doubt"
+TOO_STEEP = (
+    "{name}: the indenter's slope at the contact's edge is {share:.2g}; the model is for slopes up to about {largest:g}. "
+    "Check the units of the indenter, modulus and {name}"
+)
+STEEP = "the indenter's slope at the edge of the contact is {share:.2g}: beyond {largest:g} linear elasticity is in doubt"
 ROUGH = (
     "the minimum film is {ratio:.2g} times the roughness ({lubrication} lubrication, full film from {full:g} on): asperities "
     "touch, which the model leaves out"
@@ -214,15 +221,17 @@ class Contact(Materials, Summarised):
         height = self.unit_height
         beta = self.beta(height, self.speed_sum)
         models: dict[str, Any] = {"substrate": self.substrate_for(height), "liquid": self.liquid_for(height)}
+        models["indenter"] = self.shape_for(height)
         if self.load is not None:
             problem = Problem(beta_load=beta, cavitation=self.cavitation, **models)
         else:
             assert self.indentation is not None
             sign = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
             problem = Problem(beta=beta, cavitation=self.cavitation, height=sign, **models)
-        if (radius := self._dry_radius(problem)) > self.bearing_radius:
+        if (share := self.steepness(self._dry_radius(problem))) > 1:
             name = "load" if self.load is not None else "indentation"
-            raise InputError(TOO_WIDE.format(name=name, share=radius / self.bearing_radius, largest=LARGEST_SLOPE))
+            too_far = TOO_WIDE if isinstance(self.indenter, Sphere) else TOO_STEEP
+            raise InputError(too_far.format(name=name, share=share, largest=LARGEST_SLOPE))
         return problem
 
     @property
@@ -332,11 +341,16 @@ class Contact(Materials, Summarised):
         return tuple(doubts)
 
     def width_doubt(self, radius: float, what: str = "contact radius is") -> list[str]:
-        """A warning if a radius [m] is too large beside the sphere's for the model."""
-        share = radius / self.bearing_radius
+        """A warning if the indenter is too steep at a radius [m] for the model."""
+        share = self.steepness(radius)
         if not share > LARGEST_SLOPE:
             return []
-        return [WIDE.format(what=what, share=share, largest=LARGEST_SLOPE)]
+        return [(WIDE if self.paraboloid else STEEP).format(what=what, share=share, largest=LARGEST_SLOPE)]
+
+    @property
+    def paraboloid(self) -> bool:
+        """Whether the indenter's surface is taken for a paraboloid, the paper's."""
+        return self.shape_for(1.0) == PARABOLOID
 
     def traction_doubt(self, friction: float, load: float, radius: float) -> list[str]:
         """A warning if no liquid bears the shear stress of a friction and a load [N] within a radius [m]."""
@@ -347,11 +361,11 @@ class Contact(Materials, Summarised):
 
     def _thickness_effect(self, substrate: LayerKernel, dimensional: Mapping[str, Quantity]) -> list[str]:
         """What the finite thickness of the substrate changes, computed."""
-        dry, changes = dry_effect(substrate, by_load=self.load is not None)
+        dry, changes = dry_effect(substrate, by_load=self.load is not None, indenter=self.shape_for(self.unit_height))
         thick = HalfSpace(**{name: value for name, value in vars(self.substrate).items() if name in HalfSpace.inputs})
         half_space = Contact(**vars(self) | {"substrate": thick})
         problem = half_space.problem()
-        if problem.liquid == NewtonianLaw():
+        if problem.liquid == NewtonianLaw() and problem.indenter == PARABOLOID:
             from softlube.theory import master_curve as curve
 
             solid = half_space.dimensional(curve.quantities(problem))

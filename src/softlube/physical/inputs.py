@@ -18,7 +18,7 @@ from softlube.model.problem import Cavitation
 
 Documented = TypeVar("Documented")
 
-BODIES = (indenters.Sphere.slot, substrates.SubstratePart.slot, liquids.LiquidPart.slot, liquids.DensityPart.slot)
+BODIES = (indenters.IndenterPart.slot, substrates.SubstratePart.slot, liquids.LiquidPart.slot, liquids.DensityPart.slot)
 """Slots of what there is, moving or not."""
 SLIDING_BODIES = (*BODIES, motions.SteadyMotion.slot)
 """Slots of a contact that slides."""

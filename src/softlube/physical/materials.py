@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from softlube.errors import InputError
-from softlube.model.dry import DryContact, dry_contact_at
+from softlube.model.dry import PARABOLOID, DryContact, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD, hertz_indentation
-from softlube.model.indenters import Sphere
+from softlube.model.indenters import IndenterPart, Shape
 from softlube.model.liquids import DensityPart, Liquid, LiquidPart
 from softlube.model.liquids.newtonian import NewtonianLaw
 from softlube.model.parts import Part, vocabulary
-from softlube.model.substrates import Substrate, SubstratePart
+from softlube.model.substrates import HalfSpaceKernel, Substrate, SubstratePart
 from softlube.model.substrates.layer import LayerKernel
 
 LARGEST_SLOPE = 0.3
@@ -35,7 +35,7 @@ LARGEST_LAYER_EFFECT = 0.05
 
 @dataclass(frozen=True)
 class Materials:
-    """A sphere, a substrate, and a liquid, each a part of the experiment.
+    """An indenter, a substrate, and a liquid, each a part of the experiment.
 
     Only what the equations see of two elastic bodies is left of them: the gap is that of one sphere of the reduced radius,
     1/R = 1/R₁ + 1/R₂, and the displacement is the sum of both bodies', whose compliances add.
@@ -45,22 +45,22 @@ class Materials:
 
     Attributes
     ----------
-    indenter : Sphere
+    indenter : IndenterPart
     substrate : SubstratePart
     liquid : LiquidPart
     compressibility : DensityPart
         How the density of the liquid depends on the pressure.
     """
 
-    indenter: Sphere
+    indenter: IndenterPart
     substrate: SubstratePart
     liquid: LiquidPart
     compressibility: DensityPart
 
     def __post_init__(self) -> None:
-        if not self.indenter.radius * self.substrate.curvature > -1:
+        if not self.indenter.reference_radius * self.substrate.curvature > -1:
             raise InputError(
-                f"substrate_radius: a cup must be wider than the sphere, of {self.indenter.radius:.4g} m; "
+                f"substrate_radius: a cup must be wider than the sphere, of {self.indenter.reference_radius:.4g} m; "
                 f"got {self.substrate.radius:.4g} m"
             )
 
@@ -96,7 +96,7 @@ class Materials:
     @property
     def reduced_radius(self) -> float:
         """R with 1/R = 1/R₁ + 1/R₂ [m], the only radius that the equations see; the sphere's own on a flat substrate."""
-        return self.indenter.radius / (1 + self.indenter.radius * self.substrate.curvature)
+        return self.indenter.reference_radius / (1 + self.indenter.reference_radius * self.substrate.curvature)
 
     @property
     def substrate_speed(self) -> float | None:
@@ -113,10 +113,13 @@ class Materials:
         """E*/4 with 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂ [Pa], were both bodies half-spaces; G under a rigid ball if ν₂ = 1/2."""
         return self.substrate.contact_modulus * self.substrate_share
 
-    @property
-    def bearing_radius(self) -> float:
-        """Least of the sphere's and the reduced radius [m]; contacts much narrower are parabolic and little strained."""
-        return min(self.indenter.radius, self.reduced_radius)
+    def steepness(self, radius: float) -> float:
+        """Slope of the indenter or of the gap at a radius [m], the larger: the radius over a paraboloid's, or the reduced one.
+
+        Where it is small the contact is little strained.
+        """
+        own = float(self.indenter.shape(1.0, 1.0).slope(radius / self.indenter.reference_radius))
+        return own + max(radius * self.substrate.curvature, 0.0)
 
     def hertz_indentation(self, load: float) -> float:
         """Indentation of two half-spaces under a load, Eq. (29) [m]."""
@@ -156,6 +159,11 @@ class Materials:
     def substrate_for(self, height: float) -> Substrate:
         """What the sphere moves over, normalised with a height [m]."""
         return self.substrate.kernel(math.sqrt(self.reduced_radius * height), self.substrate_share, self.substrate_speed)
+
+    def shape_for(self, height: float) -> Shape:
+        """The indenter's surface, with the substrate's curvature, normalised with a height [m]."""
+        radius = self.indenter.reference_radius
+        return self.indenter.shape(height / radius, self.reduced_radius / radius)
 
     def liquid_for(self, height: float) -> Liquid:
         """The laws of viscosity and density, normalised with a height [m]."""
@@ -207,7 +215,9 @@ def _in_per_cent(change: float, error: float) -> str:
     return f"{100 * change:+.2g} %" + (f" (± {100 * error:.1g} %)" if error else "")
 
 
-def dry_effect(substrate: Substrate, *, by_load: bool, depth: float = 1.0) -> tuple[DryContact, dict[str, tuple[float, float]]]:
+def dry_effect(
+    substrate: Substrate, *, by_load: bool, depth: float = 1.0, indenter: Shape = PARABOLOID
+) -> tuple[DryContact, dict[str, tuple[float, float]]]:
     """The dry contact at the unit's load or at a depth, and by what share it differs from the half-space's, exactly.
 
     Parameters
@@ -218,9 +228,11 @@ def dry_effect(substrate: Substrate, *, by_load: bool, depth: float = 1.0) -> tu
         Whether the load is given, 4/(3π), or the depth.
     depth : float
         Over the unit of height.
+    indenter : Shape
+        Normalised with the unit of height.
     """
+    prescribed = {"load": HERTZ_LOAD} if by_load else {"indentation": depth}
+    dry, solid = (dry_contact_at(each, **prescribed, indenter=indenter) for each in (substrate, HalfSpaceKernel()))
     if by_load:
-        dry = dry_contact_at(substrate, load=HERTZ_LOAD)
-        return dry, {"indentation of a dry contact": (dry.indentation - 1, 0.0)}
-    dry = dry_contact_at(substrate, indentation=depth)
-    return dry, {"load of a dry contact": (dry.load / (HERTZ_LOAD * depth**1.5) - 1, 0.0)}
+        return dry, {"indentation of a dry contact": (dry.indentation / solid.indentation - 1, 0.0)}
+    return dry, {"load of a dry contact": (dry.load / solid.load - 1, 0.0)}

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.errors import InputError
+from softlube.model.dry import PARABOLOID
 from softlube.model.liquids.incompressible import Incompressible
 from softlube.model.parts import resolve
 from softlube.model.substrates.layer import LayerKernel
@@ -113,15 +114,21 @@ class Setup(Materials):
         depth, suction = max(-extremes.least_height, 0.0), -extremes.least_pressure
         by_layer: list[str] = []
         radius = (self.reduced_radius * depth) ** 0.5
-        substrate = self.substrate_for(self.unit_height)
-        if depth > 0 and isinstance(substrate, LayerKernel):
-            dry, changes = dry_effect(substrate, by_load=self.control == "load", depth=depth / self.unit_height)
+        substrate, shape = self.substrate_for(self.unit_height), self.shape_for(self.unit_height)
+        layered, paraboloid = isinstance(substrate, LayerKernel), shape == PARABOLOID
+        if depth > 0 and (layered or not paraboloid):
+            deep = depth / self.unit_height
+            dry, changes = dry_effect(substrate, by_load=self.control == "load", depth=deep, indenter=shape)
             radius = dry.radius * self.units["length"][0]
-            by_layer = layer_doubt(dry, substrate, changes)
-        if radius > LARGEST_SLOPE * self.bearing_radius:
+            if isinstance(substrate, LayerKernel):
+                by_layer = layer_doubt(dry, substrate, changes)
+        if (slope := self.steepness(radius)) > LARGEST_SLOPE:
             doubts.append(
-                f"the contact radius reaches {radius / self.bearing_radius:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity "
+                f"the contact radius reaches {slope:.2g} R: beyond {LARGEST_SLOPE} R linear elasticity "
                 f"and the parabolic sphere are in doubt"
+                if paraboloid
+                else f"the indenter's slope reaches {slope:.2g} at the edge of the contact: beyond {LARGEST_SLOPE} linear "
+                f"elasticity is in doubt"
             )
         if suction > ATMOSPHERE:
             doubts.append(
@@ -263,4 +270,4 @@ def _motion(
         motion = constant_load(load / scale, start, end)
     else:
         motion = constant_speed(speed * time / unit, start, end)
-    return replace(motion, substrate=setup.substrate_for(unit), liquid=setup.liquid_for(unit))
+    return replace(motion, substrate=setup.substrate_for(unit), liquid=setup.liquid_for(unit), indenter=setup.shape_for(unit))

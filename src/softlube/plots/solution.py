@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from softlube.errors import InputError
-from softlube.model.dry import DryContact
+from softlube.model.dry import PARABOLOID, DryContact
 from softlube.model.prefixes import prefixed
 from softlube.model.quantities import FIELDS, QUANTITIES
 from softlube.model.substrates import HalfSpaceKernel
@@ -275,7 +275,8 @@ def _profile(ax: Axes, solution: Solution, direction: str) -> None:
         other.plot(np.concatenate([-left[::-1], right]) * length, line, color=PRESSURE_COLOUR)
     dry = _dry(solution)
     if dry is not None:
-        name = "Hertz" if solution.problem.substrate == HalfSpaceKernel() else "dry contact"
+        of_hertz = (solution.problem.substrate, solution.problem.indenter) == (HalfSpaceKernel(), PARABOLOID)
+        name = "Hertz" if of_hertz else "dry contact"
         other.plot(place * length, dry.pressure(r) * pressure, ":", color="0.35", lw=0.9, label=name)
         other.legend(loc="upper center", frameon=False)
     if "lambda_ratio" in solution.dimensional:

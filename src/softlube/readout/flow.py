@@ -34,8 +34,8 @@ SLOWEST = 1e-4
 
 
 def sphere_height(solution: Solution, r: ArrayLike) -> Array:
-    """Height h̄ of the sphere's surface over the undeformed substrate, Eq. (6c)."""
-    return solution.fields.height + np.asarray(r, dtype=float) ** 2 / 2
+    """Height h̄ of the indenter's surface over the undeformed substrate, Eq. (6c)."""
+    return solution.fields.height + solution.problem.indenter.height(r)
 
 
 def substrate_height(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Array:

@@ -218,6 +218,6 @@ def vertical_balance(solution: Solution, radius: float = 8.0) -> VerticalBalance
     far = 2 * np.pi * far_mean * float(np.trapezoid(influence(beyond) / beyond, np.log(beyond)))
     # On the nodes themselves: between them the film's parabola would drown the displacement in interpolation errors.
     s = chart.s_of(fields.theta)
-    displacement = (fields.height + radius**2 / 2 - fields.film[ring]) * chart.dtheta_ds(s)
+    displacement = (fields.height + float(solution.problem.indenter.height(radius)) - fields.film[ring]) * chart.dtheta_ds(s)
     mean = float(np.trapezoid(displacement, s)) / np.pi
     return VerticalBalance(float(fields.load), sphere, sphere + radius * (-mean - near - far))

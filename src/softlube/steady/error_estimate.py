@@ -115,7 +115,7 @@ def looser(regime: Regime) -> Mapping[str, float]:
     which is narrow there, to several times the film at the centre; its error may be three times the accuracy.
     """
     factors = LOOSER_DEEP if regime.beta > COARSE_BETA else LOOSER
-    return factors if regime.dry.edge_rise == 1 else {**factors, "boundary_layer": math.inf, "film_inlet": 3.0}
+    return factors if regime.dry.substrate_rise == 1 else {**factors, "boundary_layer": math.inf, "film_inlet": 3.0}
 
 
 def unresolved(

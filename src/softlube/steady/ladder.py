@@ -7,6 +7,7 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -255,10 +256,8 @@ def renormalised(regime: Regime, levels: Sequence[Level], own: Mapping[str, Quan
     by_load = problem.load_controlled
     units = [-each.height if by_load else float((each.load / HERTZ_LOAD) ** (2 / 3)) for each in fields]
     other, unit = [each.in_units(unit) for each, unit in zip(fields, units, strict=True)], units[-1]
-    substrate = problem.substrate.in_units(unit)
-    edge = Regime.of(
-        Problem(beta=1.0 if by_load else None, beta_load=None if by_load else 1.0, substrate=substrate)
-    ).edge_radius
+    models: dict[str, Any] = {"substrate": problem.substrate.in_units(unit), "indenter": problem.indenter.in_units(unit)}
+    edge = Regime.of(Problem(beta=1.0 if by_load else None, beta_load=None if by_load else 1.0, **models)).edge_radius
     values = [measure(each, edge) for each in other]
     estimate = Estimate.of(
         regime, fields[-1], values, [level.n_theta for level in levels[-len(values) :]], "height" if by_load else "load"

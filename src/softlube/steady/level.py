@@ -188,6 +188,7 @@ def _first_guess(regime: Regime, system: ContactSystem, history: list[Iteration]
         beta_load=None,
         substrate=problem.substrate.in_units(depth),
         liquid=problem.liquid.in_units(depth),
+        indenter=problem.indenter.in_units(depth),
     )
     held = newton(ContactSystem(pressed, system.grid, system.scale / depth), start[:-1])
     history += held.history

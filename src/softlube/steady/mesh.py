@@ -62,12 +62,12 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     """
     beta = 1.0 if regime.over_gap else max(regime.beta, 1.0)
     octave = np.round(np.log2(beta**-0.4) - 0.2)  # a little early: too fine costs less than too coarse
-    steep, rise = regime.steepness, regime.dry.edge_rise
+    steep, rise = regime.steepness, regime.dry.substrate_rise
     edge = 1 + float(min(STEEP_SHIFT * steep * 2.0**octave, 0.25))
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
-        edge_width=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25)),
+        edge_width=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25 * min(1.0, 2 / regime.dry.exponent))),
         side_width=float(min((2.4 if regime.deep else 1.4) * 2.0 ** (octave * 0.625), 1.0)),
         side_clustering=(1.2 if regime.deep else 0.7) + STEEP_CROWDING * steep,
         reach=60.0 if regime.over_gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap

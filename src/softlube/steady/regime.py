@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from softlube.model.dry import DryContact, dry_contact_at
+from softlube.model.dry import PARABOLOID, DryContact, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE
 from softlube.model.problem import Problem
 
@@ -22,7 +22,7 @@ STEEP_BETA = 3e2, 3e4
 THICK = 2.5
 """ln η/η₀ under a dry contact's largest pressure beyond which a spike may stand at the outlet."""
 FRONT_EDGE = 6.0
-"""Rise of a layer's dry pressure at the edge over Hertz's beyond which the constriction at the sides may end in a front."""
+"""Rise of a layer's dry pressure at the edge over a half-space's beyond which the sides' constriction may end in a front."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Regime:
         the film that enters widens the contact by more of its boundary layer's width, and the minimum at the sides is sharper
         in angle.  The steepness counts as far as the boundary layers are narrow, in full beyond the second of `STEEP_BETA`.
     thickening : float
-        ln η/η₀ at the largest pressure of the dry contact, which is (2/π²)√(indentation) on a half-space.
+        ln η/η₀ at the largest pressure of the dry contact, for which (2/π²)√(indentation) is taken under a paraboloid.
     front : bool
         Whether the constriction at the sides of the contact may end in a front, as on very thin layers (docs/how-to/layers.md).
     """
@@ -74,9 +74,9 @@ class Regime:
             If the dry contact on the problem's substrate is not found.
         """
         if problem.load_controlled:
-            dry = dry_contact_at(problem.substrate, load=HERTZ_LOAD)
+            dry = dry_contact_at(problem.substrate, load=HERTZ_LOAD, indenter=problem.indenter)
         else:
-            dry = dry_contact_at(problem.substrate, indentation=1.0)
+            dry = dry_contact_at(problem.substrate, indentation=1.0, indenter=problem.indenter)
         beta = dry.like_hertz(problem.parameter)
         pressed = dry.radius**2
         if problem.load_controlled:
@@ -90,16 +90,17 @@ class Regime:
             unit = float({-1: over_contact, 0: lifted, 1: 0.2 + lifted}[problem.height])
             over_gap = problem.height >= 0
         narrow = 0.0 if over_gap else float(np.interp(np.log(max(beta, 1.0)), np.log(STEEP_BETA), (0.0, 1.0)))
-        highest = np.array([HERTZ_PRESSURE * np.sqrt(dry.indentation)])
+        paraboloid = problem.indenter == PARABOLOID
+        highest = np.array([HERTZ_PRESSURE * np.sqrt(dry.indentation) if paraboloid else dry.highest_pressure])
         return cls(
             problem=problem,
             dry=dry,
             beta=beta,
             unit=unit,
             over_gap=over_gap,
-            steepness=narrow * (1 - 1 / dry.edge_rise),
+            steepness=narrow * (1 - 1 / dry.substrate_rise),
             thickening=float(np.log(problem.liquid.viscosity(highest)[0])),
-            front=dry.edge_rise > FRONT_EDGE,
+            front=dry.substrate_rise > FRONT_EDGE,
         )
 
     @property

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from softlube.errors import InputError, NotConvergedError, warn
+from softlube.model.indenters import Paraboloid, Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, Substrate
@@ -38,6 +39,7 @@ def solve(
     cavitation: str = "reynolds",
     substrate: Substrate | None = None,
     liquid: Liquid | None = None,
+    indenter: Shape | None = None,
     accuracy: float = DEFAULT_ACCURACY,
     method: str = "newton",
     budget: float = DEFAULT_BUDGET,
@@ -57,6 +59,8 @@ def solve(
         Of `softlube.substrates`; the half-space if none.
     liquid : Liquid, optional
         Of `softlube.model.liquids`; constant viscosity if none.
+    indenter : Shape, optional
+        Of `softlube.model.indenters`; the paraboloid of the paper if none.
     accuracy : float
         Relative error aimed at (film_min and shear_rate_max: three times that, ten times beyond β = 3·10⁶).  Grids follow
         from it.
@@ -92,6 +96,7 @@ def solve(
         cavitation,  # type: ignore[arg-type]
         substrate=substrate or HalfSpaceKernel(),
         liquid=liquid or NewtonianLaw(),
+        indenter=indenter or Paraboloid(),
     )
     return solve_problem(problem, accuracy=accuracy, method=method, budget=budget, progress=progress)
 

@@ -26,6 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
 from softlube.errors import InputError
+from softlube.model.indenters import Paraboloid
 from softlube.model.liquids import NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY, Quantity
@@ -230,6 +231,8 @@ def quantities(problem: Problem) -> Mapping[str, Quantity]:
             "thickness, pressure_viscosity: the master curve is for a half-space and constant viscosity; "
             "solve the problem instead"
         )
+    if problem.indenter != Paraboloid():
+        raise InputError("indenter: the master curve is for the paraboloid; solve the problem instead")
     if problem.height != -1:
         raise InputError(NO_GAPS)
     given: dict[str, Any] = {"beta_load" if problem.load_controlled else "beta": problem.parameter}

@@ -13,9 +13,10 @@ from scipy.interpolate import CubicSpline
 
 from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError, NotConvergedError
+from softlube.model import indenters, substrates
 from softlube.model import liquids as liquids
-from softlube.model import substrates
-from softlube.model.dry import DryContact, dry_contact_at
+from softlube.model.dry import PARABOLOID, DryContact, dry_contact_at
+from softlube.model.indenters import Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.transient import drives
@@ -59,6 +60,8 @@ class Motion:
         What the sphere moves over; lengths over √(R × unit of height).
     liquid : Liquid
         The law of the viscosity; pressures over 4πG√(unit of height/R).
+    indenter : Shape
+        The indenter's surface; lengths over √(R × unit of height).
     """
 
     control: Control
@@ -68,6 +71,7 @@ class Motion:
     longest_step: float = np.inf
     substrate: Substrate = field(default_factory=HalfSpaceKernel)
     liquid: Liquid = field(default_factory=NewtonianLaw)
+    indenter: Shape = PARABOLOID
 
     def __post_init__(self) -> None:
         if self.control not in ("load", "height"):
@@ -91,7 +95,7 @@ class Motion:
         InputError
             If its history is a function of the time that cannot be written down.
         """
-        return {
+        plain = {
             "control": self.control,
             "drive": drives.to_plain(self.drive),
             "initial_height": self.initial_height,
@@ -100,6 +104,8 @@ class Motion:
             "substrate": substrates.to_plain(self.substrate),
             "liquid": liquids.to_plain(self.liquid),
         }
+        # A paraboloid looks as it did before there were other shapes.
+        return plain if self.indenter == PARABOLOID else plain | {"indenter": indenters.to_plain(self.indenter)}
 
     @classmethod
     def from_plain(cls, values: Mapping[str, Any]) -> Motion:
@@ -109,6 +115,7 @@ class Motion:
             "longest_step": np.inf if values["longest_step"] is None else values["longest_step"],
             "substrate": substrates.from_plain(values["substrate"]),
             "liquid": liquids.from_plain(values["liquid"]),
+            "indenter": indenters.from_plain(values.get("indenter")),
         }
         return cls(**(dict(values) | parts))
 
@@ -128,6 +135,7 @@ class Motion:
             longest_step=self.longest_step * clock,
             substrate=self.substrate.in_units(unit),
             liquid=self.liquid.in_units(unit),
+            indenter=self.indenter.in_units(unit),
         )
 
     @cached_property
@@ -139,9 +147,9 @@ class Motion:
         samples = self.samples
         if self.control == "height":
             lowest = float(samples.min())
-            return dry_contact_at(self.substrate, indentation=-lowest) if lowest < 0 else None
+            return dry_contact_at(self.substrate, indentation=-lowest, indenter=self.indenter) if lowest < 0 else None
         largest = float(samples.max())
-        dry = dry_contact_at(self.substrate, load=largest) if largest > 0 else None
+        dry = dry_contact_at(self.substrate, load=largest, indenter=self.indenter) if largest > 0 else None
         return dry if dry is not None and self._rigid_height <= dry.indentation else None
 
     @property
@@ -173,11 +181,11 @@ class Motion:
         instant = 1e-6 * self.duration
         speed = 1.0 if self.control == "load" else (start - float(self.drive(instant))) / instant
         if speed <= 0 or (self.control == "load" and start <= 0):
-            return np.zeros_like(film.parabola)
+            return np.zeros_like(film.shape)
         grid = film.grid
-        pressure = np.zeros_like(film.parabola)
+        pressure = np.zeros_like(film.shape)
         for _ in range(LARGEST_ITERATIONS):
-            u = self.initial_height + film.parabola + film.compliance @ pressure
+            u = self.initial_height + film.shape + film.compliance @ pressure
             fluidity, _ = film.liquid.fluidity(pressure)
             if np.min(fluidity) < LEAST_FLUIDITY:
                 break
@@ -202,11 +210,11 @@ class Motion:
         lowest = self.lowest_height
         if lowest <= 0:
             return np.inf
-        film = SqueezeFilm.on(self.grid(64), self.control, self.substrate)
+        film = SqueezeFilm.on(self.grid(64), self.control, self.substrate, indenter=self.indenter)
         steps = np.diff(self.samples) * (SAMPLES - 1) / self.duration
         shares = []
         for height in (self.initial_height, lowest):
-            taylor = (height + film.parabola) ** -2.0
+            taylor = (height + film.shape) ** -2.0
             strength = np.max(np.abs(self.samples)) / film.load(taylor) if self.control == "load" else np.max(np.abs(steps)) / 4
             shares.append(strength * float((film.compliance @ taylor)[0]) / height)
         return max(shares)

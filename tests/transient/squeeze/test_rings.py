@@ -24,7 +24,7 @@ def _flux(film, u, p):
 
 def test_taylor_s_pressure_lowers_a_rigid_sphere_evenly(film):
     """Pressure V/(4h²) and ∫p dA = πV/(2h₀): Taylor's 6πηR²V/h."""
-    h = 0.7 + film.parabola
+    h = 0.7 + film.shape
     p = 0.3 / (4 * h**2)
     rate = film.rate(_flux(film, h, p))
     assert rate[:-2] == pytest.approx(-0.3, rel=5e-4)
@@ -47,7 +47,7 @@ def test_order_of_the_divergence(rings):
 
 def test_hertz_pressure_lies_under_a_flat_film(film):
     """No film within r < 1 for the Hertz pressure and h₀ = −1, and back from the film to the pressure."""
-    u = film.lift_under(hertz_pressure(film.grid.r), -1.0) + film.parabola[: film.n]
+    u = film.lift_under(hertz_pressure(film.grid.r), -1.0) + film.shape[: film.n]
     assert np.max(np.abs(u[film.grid.r[: film.n] < 0.8])) < 2e-3
     smooth = np.exp(-(film.grid.r**2))
     smooth[film.n - 1 :] = 0
@@ -102,7 +102,7 @@ def test_rings_are_the_plane_s_first_harmonic(substrate):
 def test_barus_under_a_rigid_sphere(alpha):
     """With q = (1 − e^(−αp))/α the equation is that of constant viscosity: p = −ln(1 − αq)/α with Taylor's q = V/(4h²)."""
     film = SqueezeFilm.on(GRID, "height", liquid=BarusLaw(alpha))
-    h = 0.7 + film.parabola
+    h = 0.7 + film.shape
     p = -np.log1p(-alpha * 0.3 / (4 * h**2)) / alpha
     fluidity, _ = film.liquid.fluidity(film.midpoint @ p)
     flux = film.conductance * fluidity * (film.midpoint @ h) ** 3 * (film.slope @ p)

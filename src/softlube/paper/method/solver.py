@@ -12,6 +12,7 @@ from softlube.discretization.fields import Fields
 from softlube.discretization.measure import measure
 from softlube.errors import InputError
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.indenters import Paraboloid
 from softlube.model.liquids import NewtonianLaw
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import Quantity
@@ -171,6 +172,8 @@ def _sizes(n_1: int, n_2: int, mesh_error: bool) -> list[tuple[int, int]]:
 def _checked_beta(problem: Problem) -> float:
     if (problem.substrate, problem.liquid) != (HalfSpaceKernel(), NewtonianLaw()):
         raise InputError("method: the paper's methods know the half-space and constant viscosity only; leave it out")
+    if problem.indenter != Paraboloid():
+        raise InputError("method: the paper's methods know the paraboloid only; leave it out")
     if problem.beta is None:
         raise InputError("beta_load: the paper's method fixes the sphere's height and cannot prescribe the load; give beta")
     if not FIRST_BETA <= problem.beta <= LARGEST_BETA:

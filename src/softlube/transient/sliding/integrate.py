@@ -79,6 +79,7 @@ def deepest_problem(beta: float, motion: Motion, cavitation: str) -> tuple[Probl
         unit = abs(lowest) or 1.0
         parameters |= {"beta": beta * unit**2, "height": int(np.sign(lowest))}
     models: dict[str, Any] = {"substrate": motion.substrate.in_units(unit), "liquid": motion.liquid.in_units(unit)}
+    models["indenter"] = motion.indenter.in_units(unit)
     return Problem(**parameters, **models, cavitation=cavitation), unit  # type: ignore[arg-type]
 
 
@@ -90,13 +91,13 @@ def at_instant(system: ContactSystem, prescribed: float, speed: float, height: f
     """
     grid, rim = system.grid, rim_slice(system.grid)
     speed = max(speed, 0.0) if system.problem.cavitation == "reynolds" else speed
-    taylor = np.repeat(speed / (4 * (height + grid.r[grid.n_r :] ** 2 / 2) ** 2), grid.shape[1])
+    taylor = np.repeat(speed / (4 * (height + system.indenter.height(grid.r[grid.n_r :])) ** 2), grid.shape[1])
     other = copy(system)
     other.prescribed = prescribed
     other.rim_pressure = system.rim_pressure + np.outer([1, 0], taylor)
     deflection = system.elastic.deflection(np.concatenate([np.zeros(grid.n_unknown), taylor]))
     other.film_offset = system.film_offset + np.outer([1, 0], deflection)
-    beyond = np.pi * speed / (2 * (height + grid.r[-1] ** 2 / 2))
+    beyond = np.pi * speed / (2 * (height + float(system.indenter.height(grid.r[-1]))))
     other.load_offset = system.load_offset + np.array([1, 0]) * (taylor @ system.elastic.load_weights[rim] + beyond)
     return other
 
@@ -201,7 +202,7 @@ def before_sliding(
 ) -> tuple[Array, float]:
     """Pressure on the rings and height when the sliding starts, after the first load has acted for some time."""
     if not pressed:
-        film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.liquid)
+        film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.liquid, motion.indenter)
         return motion.first_pressure(film), motion.initial_height
     first = motion.drive(0.0)
     held = replace(motion, drive=lambda _: first, duration=pressed)
@@ -272,7 +273,7 @@ def start_sliding(
     x = np.repeat(rings[: grid.n_r], grid.shape[1])
     if by_load:
         x = np.append(x, height)
-    descent = 4 * float(rings[-1]) * (height + grid.r[-1] ** 2 / 2) ** 2
+    descent = 4 * float(rings[-1]) * (height + float(motion.indenter.height(grid.r[-1]))) ** 2
     own = at_instant(system, motion.drive(0.0), descent, height)
     inside = np.repeat(grid.r < JUDGED_RADIUS, grid.shape[1])
     limit = film_limit / unit

@@ -21,6 +21,8 @@ Array = NDArray[np.floating]
 
 BALANCE_RADIUS = 2.0
 """Radius, over that of the grid's edge, within which the balance of volume is checked."""
+FAR_ABOVE = 4.0
+"""Height of the indenter's surface over that at the grid's edge beyond which the film's own size says nothing."""
 HISTORIES = ("film_center", "film_min", "film_min_radius", "pressure_center", "pressure_max", "pressure_min", "height", "load")
 """Quantities of a squeeze film that are functions of the time; see `softlube.model.quantities`."""
 
@@ -167,19 +169,19 @@ def integrate(
 
     Notes
     -----
-    The integrator works on u − s with a constant s(r) = max(0, r²/2 − 2 edge²): its relative tolerance is one of the film
+    The integrator works on u − s with a constant s(r) = max(0, f(r) − 4f(edge)): its relative tolerance is one of the film
     where that is thin, and one of h₀ far outside, where the film's own size, r²/2, says nothing.  It conserves volume, which is
     linear in this unknown, to round-off.
     """
     grid = motion.grid(rings) if isinstance(rings, int) else rings
-    film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.liquid)
+    film = SqueezeFilm.on(grid, motion.control, motion.substrate, motion.liquid, motion.indenter)
     n = film.n
-    parabola = film.parabola[:n]
-    added = np.minimum(parabola, 2 * grid.edge**2)  # to the lift
+    shape = film.shape[:n]
+    added = np.minimum(shape, FAR_ABOVE * motion.indenter.height(grid.edge))  # to the lift
     inside = max(3, int(np.searchsorted(grid.r, BALANCE_RADIUS * grid.edge)))
     to_inflow, to_volume = film.inflow_weights(inside), film.volume_weights(inside)
     first = film.lift_under(motion.first_pressure(film), motion.initial_height)
-    thinnest = float(np.min(first + parabola))
+    thinnest = float(np.min(first + shape))
     if thinnest <= film_limit:
         raise InputError(
             f"initial_height, film_limit: the film starts at {thinnest / motion.initial_height:.3g} of the initial height, not "
@@ -204,11 +206,11 @@ def integrate(
         steps += 1
         if progress is not None and steps % 20 == 0:
             progress(Progress(f"{grid.n_r} rings: {100 * t / motion.duration:.3g} % of the time, step {steps}", steps))
-        return least_on_nodes(z[:n] - added + parabola) - film_limit
+        return least_on_nodes(z[:n] - added + shape) - film_limit
 
     above_limit.terminal = True  # type: ignore[attr-defined]
     least = np.full(n + 1, 1e-5 * tolerance * grid.edge**2)
-    least[n] = 0.1 * tolerance * float(to_volume @ (first + parabola))
+    least[n] = 0.1 * tolerance * float(to_volume @ (first + shape))
     with np.errstate(over="ignore", invalid="ignore"):  # BDF computes with rows that it has not filled yet
         result = solve_ivp(
             rate,

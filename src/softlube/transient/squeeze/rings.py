@@ -3,12 +3,13 @@
 Normalised as in Eq. (4) with the time in units of T = 3ηR^{3/2}/(πG H^{3/2}) (H is the unit of height), the equations have no
 parameter:
 
-    ∂u/∂t = (1/r) ∂(r φu³ ∂p/∂r)/∂r,      u = h₀ + r²/2 + K p,
+    ∂u/∂t = (1/r) ∂(r φu³ ∂p/∂r)/∂r,      u = h₀ + f + K p,
 
-but those of the substrate in K and of the fluidity φ(p), 1 for constant viscosity.
+but those of the substrate in K, of the fluidity φ(p), 1 for constant viscosity, and of the indenter's shape f(r), r²/2 for the
+paraboloid.
 
-The film on the nodes is the unknown, less the parabola: the lift l = u − r²/2 = h₀ + K p, which keeps what a nearly rigid
-sphere's small deflections say from drowning in r²/2.  It gives the pressure by p = K⁻¹(l − h₀), and h₀ under a given load N
+The film on the nodes is the unknown, less the shape: the lift l = u − f = h₀ + K p, which keeps what a nearly rigid
+indenter's small deflections say from drowning in f.  It gives the pressure by p = K⁻¹(l − h₀), and h₀ under a given load N
 by ∫p dA = N, both linear.  So no algebraic equation is left for the time integrator.
 """
 
@@ -24,6 +25,8 @@ from numpy.typing import ArrayLike, NDArray
 from softlube.discretization.grid import RIM, PolarGrid
 from softlube.discretization.radial import radial_operators
 from softlube.discretization.reynolds import ReynoldsOperator
+from softlube.model.dry import PARABOLOID
+from softlube.model.indenters import Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 
@@ -46,8 +49,8 @@ class SqueezeFilm:
         Grid of the steady solver whose radial nodes are the rings.
     control : {"load", "height"}
         What is prescribed as a function of time, q below: the load ∫p dA or the height h₀.
-    parabola : ndarray, shape (N,)
-        r²/2.
+    shape : ndarray, shape (N,)
+        Height f of the indenter's surface over its lowest point, r²/2 for the paraboloid.
     pressure_by_lift, pressure_by_drive : ndarray, shape (N, n) and (N,)
         p = pressure_by_lift l + pressure_by_drive q.
     height_by_lift, height_by_drive : ndarray, shape (n,), and float
@@ -70,7 +73,7 @@ class SqueezeFilm:
 
     grid: PolarGrid
     control: Control
-    parabola: Array
+    shape: Array
     pressure_by_lift: Array
     pressure_by_drive: Array
     height_by_lift: Array
@@ -88,7 +91,12 @@ class SqueezeFilm:
 
     @classmethod
     def on(
-        cls, grid: PolarGrid, control: Control, substrate: Substrate | None = None, liquid: Liquid | None = None
+        cls,
+        grid: PolarGrid,
+        control: Control,
+        substrate: Substrate | None = None,
+        liquid: Liquid | None = None,
+        indenter: Shape = PARABOLOID,
     ) -> SqueezeFilm:
         """Build the equations of a grid (only its radii are used); a half-space and constant viscosity where not given."""
         grid = grid.resized(grid.n_r, ANGLES)
@@ -128,7 +136,7 @@ class SqueezeFilm:
         return cls(
             grid=grid,
             control=control,
-            parabola=grid.r**2 / 2,
+            shape=indenter.height(grid.r),
             pressure_by_lift=extend @ by_film,
             pressure_by_drive=extend @ by_drive,
             height_by_lift=height_by_lift,
@@ -165,7 +173,7 @@ class SqueezeFilm:
     def whole_film(self, lift: Array, drive: ArrayLike) -> Array:
         """Film on all N rings, (..., N)."""
         rim = lift @ self.rim_by_lift.T + np.multiply.outer(drive, self.rim_by_drive)
-        return self.parabola + np.concatenate([lift, rim], axis=-1)
+        return self.shape + np.concatenate([lift, rim], axis=-1)
 
     def lift_under(self, pressure: Array, height: float) -> Array:
         """Lift on the n rings under a pressure on all N, Eq. (6c)."""
@@ -179,12 +187,12 @@ class SqueezeFilm:
         return film_by_lift, film_by_drive, self.slope @ self.pressure_by_lift, self.slope @ self.pressure_by_drive
 
     @cached_property
-    def _parabola_on_faces(self) -> Array:
-        return self.midpoint @ self.parabola
+    def _shape_on_faces(self) -> Array:
+        return self.midpoint @ self.shape
 
     def _films_and_slopes(self, lift: Array, drive: float) -> tuple[Array, Array]:
         film_by_lift, film_by_drive, slope_by_lift, slope_by_drive = self._on_faces
-        film = self._parabola_on_faces + film_by_lift @ lift + drive * film_by_drive
+        film = self._shape_on_faces + film_by_lift @ lift + drive * film_by_drive
         return film, slope_by_lift @ lift + drive * slope_by_drive
 
     def _fluidity(self, lift: Array, drive: float) -> tuple[Array, Array]:

@@ -3,7 +3,7 @@
 In a compressible liquid the Petrusevich spike has a height, but under a law like Barus's it falls off within 10⁻⁴ contact
 radii, along a ridge that runs askew to circles about the contact's centre.  About a point nearer to the outlet the ridge is a
 circle, to some 10⁻³ contact radii over 45° on either side of the axis, so that a few fine rings resolve it to any
-width.  The equations do not know where their mesh has its centre; only the sphere's parabola moves.
+width.  The equations do not know where their mesh has its centre; only the sphere's surface moves.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.splines import bilinear
 from softlube.discretization.system import ContactSystem
+from softlube.model.dry import PARABOLOID
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
 from softlube.steady.mesh import grid_for
@@ -53,7 +54,12 @@ class ShiftedSystem(ContactSystem):
     def __init__(self, problem: Problem, grid: PolarGrid, scale: float, shift: float) -> None:
         super().__init__(problem, grid, scale)
         x = np.outer(grid.r, np.cos(grid.theta)).ravel()
-        self.film_offset[0] += shift**2 / 2 - shift * x  # |x − shift|²/2 in place of |x|²/2
+        if problem.indenter == PARABOLOID:
+            self.film_offset[0] += shift**2 / 2 - shift * x  # |x − shift|²/2 in place of |x|²/2
+        else:
+            y = np.outer(grid.r, np.sin(grid.theta)).ravel()
+            about_centre = np.repeat(self.indenter.height(grid.r), grid.shape[1])
+            self.film_offset[0] += self.indenter.height(np.hypot(x - shift, y)) - about_centre
 
 
 @dataclass(frozen=True)

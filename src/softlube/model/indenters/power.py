@@ -1,0 +1,114 @@
+"""Blunt and pointed indenters whose height is a power of the radius."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from softlube.errors import InputError, shown
+from softlube.model.indenters.base import Array, Curved, IndenterPart
+from softlube.model.inputs import NUMBER, Input, given
+from softlube.model.lazy import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+EXPONENTS = 2.0, 8.0
+"""Exponents that are taken: below 2 the tip is pointed, far above the indenter is a flat punch with a sharp edge."""
+
+POWERS = range(-7, 0)
+"""Powers of the metre in units of coefficients."""
+
+
+@dataclass(frozen=True)
+class PowerShape(Curved):
+    """F = 2 (x/2)ⁿ over the reference radius R₁ = ℓ/2, where ℓ is the radius at which the height is as large: f = ℓ (r/ℓ)ⁿ.
+
+    Parameters
+    ----------
+    exponent : float
+        n; at n = 2 the shape is the paraboloid of radius R₁.
+    """
+
+    exponent: float
+    kind: ClassVar[str] = "power"
+    words: ClassVar[str] = "a rigid indenter of power-law profile"
+
+    def outline(self, x: Array) -> tuple[Array, Array, Array]:
+        """2 (x/2)ⁿ and its derivatives."""
+        n = self.exponent
+        bend = n * (n - 1) / 2 * (x / 2) ** (n - 2)
+        return 2 * (x / 2) ** n, n * (x / 2) ** (n - 1), bend
+
+    def depth(self, x: ArrayLike) -> Array:
+        """G f(x) with G = n ∫₀^{π/2} sinⁿ⁻¹t dt, and x² for the substrate's curvature."""
+        x, other = np.asarray(x, dtype=float), 1 - self.share
+        return self._factor * (self.height(x) - other * x**2 / 2) + other * x**2
+
+    def depth_slope(self, x: ArrayLike) -> Array:
+        """The derivative of g."""
+        x, other = np.asarray(x, dtype=float), 1 - self.share
+        return self._factor * (self.slope(x) - other * x) + 2 * other * x
+
+    @property
+    def _factor(self) -> float:
+        n = self.exponent
+        return n * math.sqrt(math.pi) / 2 * math.gamma(n / 2) / math.gamma((n + 1) / 2)
+
+
+class InverseLength(float):
+    """A number in m^`power`, the power being that of the unit it was given with."""
+
+    power: float
+
+
+class Coefficient(Input):
+    """The coefficient C of f = C rⁿ, whose unit, m^(1−n), depends on the exponent."""
+
+    def read(self, value: object, name: str | None = None) -> float:
+        """The value in SI; of a text an `InverseLength`, to be compared with the exponent."""
+        if not isinstance(value, str):
+            return float(super().read(value, name))
+        from softlube.model import units
+
+        for power in POWERS:
+            try:
+                found = InverseLength(units.read_quantity(value, f"m^{power}" if power != -1 else "1/m"))
+            except InputError:
+                continue
+            found.power = power
+            return found
+        raise InputError(f"{name or self.name}: expected {self.expected}; got {shown(value)}")
+
+
+class PowerProfile(IndenterPart):
+    """An indenter of height f = C rⁿ: blunt for n > 2, the paraboloid of radius 1/(2C) for n = 2."""
+
+    kind: ClassVar[str] = "power"
+    coefficient: Any = Coefficient(
+        "Coefficient C of an indenter of height C rⁿ, in m^(1−n)", NUMBER, "2e8 m^-3", flat="profile_coefficient"
+    )
+    exponent: float = given("Exponent n of an indenter of height C rⁿ", NUMBER, "4", between=EXPONENTS, flat="profile_exponent")
+
+    def checked(self, values: dict[str, Any]) -> dict[str, Any]:
+        """The values with C in SI."""
+        coefficient, power = values["coefficient"], 1 - values["exponent"]
+        if isinstance(coefficient, InverseLength) and coefficient.power != power:
+            raise InputError(
+                f"profile_coefficient, profile_exponent: the unit is m^{coefficient.power:g}; with the exponent "
+                f"{values['exponent']:g} expected one of m^({power:g}), or a number in SI"
+            )
+        if not (math.isfinite(coefficient) and coefficient > 0):
+            raise InputError(f"profile_coefficient: expected a positive, finite number, got {coefficient:g}")
+        values["coefficient"] = float(coefficient)
+        return super().checked(values)
+
+    @property
+    def reference_radius(self) -> float:
+        """Half the radius at which the height is as large as the radius, C^(−1/(n−1))/2 [m]."""
+        return self.coefficient ** (-1 / (self.exponent - 1)) / 2
+
+    def shape(self, unit: float, share: float) -> PowerShape:
+        """The power law."""
+        return PowerShape(unit, share, self.exponent)
