@@ -22,7 +22,19 @@ if TYPE_CHECKING:
     from softlube.files.netcdf import load
     from softlube.model import dry, liquids, substrates
     from softlube.model.indenters import PowerProfile, RoundedCone, RoundedPunch, Sphere
-    from softlube.model.liquids import Barus, DowsonHigginson, Incompressible, Newtonian, Roelands
+    from softlube.model.liquids import (
+        Barus,
+        Carreau,
+        CarreauYasuda,
+        Cross,
+        DowsonHigginson,
+        Eyring,
+        Incompressible,
+        LimitingStress,
+        Newtonian,
+        PowerLaw,
+        Roelands,
+    )
     from softlube.model.motions import Rolling, Sliding
     from softlube.model.problem import Problem
     from softlube.model.quantities import Quantity
@@ -86,17 +98,23 @@ _MODULES = {
 
 __all__ = [
     "Barus",
+    "Carreau",
+    "CarreauYasuda",
     "Contact",
+    "Cross",
     "DowsonHigginson",
+    "Eyring",
     "Fit",
     "HalfSpace",
     "History",
     "Incompressible",
     "InputError",
     "Layer",
+    "LimitingStress",
     "Measurements",
     "Newtonian",
     "NotConvergedError",
+    "PowerLaw",
     "PowerProfile",
     "Problem",
     "Quantity",
@@ -160,6 +178,6 @@ def __dir__() -> list[str]:
 def _parts() -> dict[str, Any]:
     """Parts of an experiment by the names of their classes: whatever stands in the rooms of `softlube.model`."""
     import_module(f"{__name__}.physical.inputs")
-    slots = import_module(f"{__name__}.model.parts").Part.slots
-    kinds = [kind for kinds in slots.values() for kind in kinds.values()]
+    part = import_module(f"{__name__}.model.parts").Part
+    kinds = [kind for slots in (part.slots, part.additions) for kinds in slots.values() for kind in kinds.values()]
     return {kind.__name__: kind for kind in kinds if kind.__module__.startswith(f"{__name__}.")}

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from softlube.discretization.differences import Differences
 from softlube.discretization.elasticity import elastic_operator
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.preconditioner import Border, FilmBalance, FilmEquation, local_stiffness
-from softlube.discretization.reynolds import Differences
 from softlube.discretization.system import ContactSystem
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton

@@ -258,7 +258,7 @@ def _region(solution: Solution) -> str:
             f"over r ≤ R about {total_within(solution, contact.radius / contact.unit_length, ratio) / counted - 1:+.0%}"
         )
     turns = " Where the ball turns, the shear on it over r ≤ a and the largest shear rate are not known." * (
-        ratio != FIXED_BALL
+        ratio != FIXED_BALL and solution.problem.liquid.linear
     )
     return (
         f"A force sensor reads the total friction, over all the liquid in the gap: here r ≤ {DOMAIN:g}a; {', '.join(more)}. "

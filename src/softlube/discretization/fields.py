@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.splines import Spline, Weights
+from softlube.model.film_section import Section, film_section
 from softlube.model.liquids import Liquid, NewtonianLaw
+from softlube.model.motions import FIXED_BALL
 from softlube.model.problem import Cavitation
 
 Array = NDArray[np.floating]
@@ -95,6 +97,8 @@ class Fields:
         h₀ over the unit of height: −1 in the paper's normalisation.
     liquid : Liquid
         The law of the viscosity.
+    slide_to_roll : float
+        See `softlube.Problem`.
     """
 
     chart: Chart
@@ -107,6 +111,7 @@ class Fields:
     load: float
     height: float = -1.0
     liquid: Liquid = field(default_factory=NewtonianLaw)
+    slide_to_roll: float = FIXED_BALL
 
     def in_units(self, unit: float) -> Fields:
         """The same fields normalised with another unit of height, given over the present one; Eq. (4)."""
@@ -121,6 +126,7 @@ class Fields:
             load=self.load * unit**-1.5,
             height=self.height / unit,
             liquid=self.liquid.in_units(unit),
+            slide_to_roll=self.slide_to_roll,
         )
 
     @cached_property
@@ -191,9 +197,42 @@ class Fields:
         """p̄ at places."""
         return self.pressure_spline.on(at.across, at.along)
 
-    def viscosity_on(self, at: Places) -> Array:
-        """η(p)/η₀ at places."""
-        return self.liquid.viscosity(self.pressure_on(at))
+    @property
+    def slip(self) -> float:
+        """What the walls' speeds differ by, S/2 of their sum, over β: the shear stress times the film at constant viscosity."""
+        return self.slide_to_roll / 2 / self.beta
+
+    @cached_property
+    def _ln_drag(self) -> Spline:
+        """Ln of the mean shear stress along x over that of the liquid at rest, for a liquid that thins with shear."""
+        mesh = self.mesh
+        places = mesh.places(self.mesh.xi[mesh.centre :], mesh.s)
+        section, drag = self.section_on(places)
+        values = np.zeros(self.film.shape)
+        if self.slip:
+            values[mesh.centre :] = np.log(section.mean[0].reshape(values[mesh.centre :].shape) / drag)
+            values[: mesh.centre] = np.mean(values[mesh.centre])
+        return self._spline(values)
+
+    def section_on(self, at: Places) -> tuple[Section, Array]:
+        """The flow across the film at places with ξ > 0, in one row, and the stress that sliding causes at rest there."""
+        film, (fluidity, _) = self.film_on(at), self.liquid.fluidity(self.pressure_on(at))
+        gradient = np.stack(self.gradient_on(at, self.reduced_spline))
+        drag = self.slip / (film * fluidity)
+        return film_section(self.liquid, (6 * film / fluidity * gradient).reshape(2, -1), drag.ravel()), drag
+
+    def drag_on(self, at: Places) -> Array:
+        """Mean shear stress across the film along x, in units of (2π/3) G (unit of height)/R; (η/η₀)/(βū) if nothing thins.
+
+        On the sphere the shear stress is this plus 3ū ∂p̄/∂x, on the substrate less.
+        """
+        film, pressure = self.film_on(at), self.pressure_on(at)
+        drag = self.liquid.viscosity(pressure) * self.slip / film
+        if self.liquid.linear:
+            return drag
+        if self.liquid.thins:
+            drag = drag * np.exp(self._ln_drag.on(at.across, at.along))
+        return self.liquid.limited(drag, pressure)
 
     def gradient_on(self, at: Places, spline: Spline | None = None) -> tuple[Array, Array]:
         """Cartesian gradient of the pressure, or of another spline, at places with ξ > 0."""

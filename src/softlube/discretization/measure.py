@@ -160,9 +160,8 @@ def load_within(fields: Fields, cutoff: float) -> float:
 
 
 def _densities(fields: Fields, at: Places) -> Array:
-    """Pressure, and Couette and Poiseuille part of the shear stress on the sphere, (η/η₀)/(βū) and 3ū ∂p̄/∂x."""
-    film, pressure = fields.film_on(at), fields.pressure_on(at)
-    return np.stack([pressure, fields.liquid.viscosity(pressure) / (fields.beta * film), 3 * film * fields.gradient_on(at)[0]])
+    """Pressure, and Couette and Poiseuille part of the shear stress on the sphere, `Fields.drag_on` and 3ū ∂p̄/∂x."""
+    return np.stack([fields.pressure_on(at), fields.drag_on(at), 3 * fields.film_on(at) * fields.gradient_on(at)[0]])
 
 
 def friction_within(fields: Fields, cutoff: float) -> float:
@@ -214,10 +213,22 @@ def wall_shear_rate(fields: Fields, at: Places) -> Array:
     The gradient is that of the reduced pressure q, since φ∇p = ∇q.
     """
     film = fields.film_on(at)
+    if fields.liquid.thins:
+        return wall_shear_rates(fields, at).max(axis=0)
     q_x, q_y = fields.gradient_on(at, fields.reduced_spline)
     poiseuille = 3 * fields.beta * film
-    across, along = 1 / film + np.abs(poiseuille * q_x), poiseuille * q_y
+    across, along = abs(fields.slide_to_roll) / 2 / film + np.abs(poiseuille * q_x), poiseuille * q_y
     return np.sqrt(across * across + along * along)
+
+
+def wall_shear_rates(fields: Fields, at: Places) -> Array:
+    """Shear rates on the substrate and on the sphere under a liquid that thins with shear, in units of v/|h₀|."""
+    section, _ = fields.section_on(at)
+    film, (fluidity, _) = fields.film_on(at), fields.liquid.fluidity(fields.pressure_on(at))
+    half = 3 * film / fluidity * np.stack(fields.gradient_on(at, fields.reduced_spline))
+    mean = section.mean.reshape(half.shape)
+    stress = np.stack([np.hypot(*(mean - half)), np.hypot(*(mean + half))])
+    return fields.beta * fluidity * stress * np.exp(fields.liquid.fluidity_at(np.maximum(stress, 1e-150))[0])
 
 
 @one_thread

@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
+from softlube.discretization.differences import Differences, Sparse
 from softlube.discretization.elasticity import ElasticOperator
 from softlube.discretization.grid import PolarGrid
-from softlube.discretization.reynolds import Differences, Sparse
 from softlube.solvers.band import Band
 
 Array = NDArray[np.floating]

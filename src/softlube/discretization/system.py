@@ -20,6 +20,7 @@ from softlube.discretization.preconditioner import Border, FilmBalance, FilmEqua
 from softlube.discretization.reynolds import Flow, ReynoldsOperator
 from softlube.model.dry import dry_contact, smeared_contact
 from softlube.model.exact import HERTZ_LOAD, far_field_profile, kapitza_pressure
+from softlube.model.film_section import viscosity_at
 from softlube.model.problem import Problem
 from softlube.model.substrates import Substrate
 
@@ -31,6 +32,9 @@ FILM_KEPT = 0.5
 LARGEST_THINNING = 3.0
 """A step may lower ln η by this much at most, anywhere.  Newton's method takes q for linear in the pressure, and where the
 fluidity is 10⁻¹⁰ that says that nothing flows however far the pressure falls."""
+FAR_STRESS = 1.4
+"""Stress that the far field's pressure gradient causes, over that of the walls' mean speed: its wall stress is
+3u ∂p/∂r = 1.8/(βu) by Eq. (9), and counts in the flux by √(3/5)."""
 LEAST_LIFT, LIFTS = 0.25, 20
 """Least film of the first guess over the film at its centre, and largest number of attempts to reach it."""
 
@@ -91,13 +95,24 @@ class ContactSystem:
         self.constrained[:n] = problem.cavitation == "reynolds"
         # The far field, and with it the film, is linear in h₀: value = [0] + h₀ [1].
         rim = rim_slice(grid)
-        strength = self.speed * np.array(self.indenter.far_field(float(grid.r[-RIM])))
+        strength = (
+            self.speed
+            * self._far_viscosity(float(grid.r[-1]) ** 2 / 2)
+            * np.array(self.indenter.far_field(float(grid.r[-RIM])))
+        )
         far = strength[:, None] * self.elastic.far_pressure[:, rim]
         self.rim_pressure = far
         self.film_offset = strength[:, None] * displaced
         self.film_offset[0] += np.repeat(self.indenter.height(grid.r), grid.shape[1])
         self.film_offset[1] += 1
         self.load_offset = strength * self.elastic.far_load + far @ self.elastic.load_weights[rim]
+
+    def _far_viscosity(self, film: float) -> float:
+        """Viscosity over that at rest beyond the rim, where the far field counts as that of a liquid without thinning."""
+        if not self.liquid.thins:
+            return 1.0
+        rate = self.speed / film * np.hypot(self.problem.slide_to_roll / 2, FAR_STRESS)
+        return float(viscosity_at(self.liquid, rate))
 
     def height(self, x: Array) -> float:
         """Height h₀ of the sphere's lowest point."""
@@ -135,6 +150,7 @@ class ContactSystem:
             load=self.load(x),
             height=self.height(x),
             liquid=self.liquid,
+            slide_to_roll=self.problem.slide_to_roll,
         )
         return fields.in_units(1 / self.scale)
 
@@ -142,13 +158,15 @@ class ContactSystem:
         """Residual and Jacobian at x."""
         return LinearisedContact(self, x)
 
-    def start(self, height: float | None = None) -> Array:
+    def start(self, height: float | None = None, viscosity: float = 1.0) -> Array:
         """First guess.
 
         Parameters
         ----------
         height : float, optional
             h₀ in the system's units where it is unknown.
+        viscosity : float
+            That of the liquid where the film is made, over that at rest.
 
         Notes
         -----
@@ -163,14 +181,15 @@ class ContactSystem:
             height = self.prescribed
         r = self.grid.r[: self.grid.n_r, None]
         profile = far_field_profile(self.grid.theta, self.problem.cavitation)
+        own = self.beta / viscosity
         if height > 1:
-            pressure = kapitza_pressure(r, 0.0, self.beta, height) * profile / 0.8
+            pressure = kapitza_pressure(r, 0.0, own, height) * profile / 0.8
         else:
             dry = dry_contact(self.substrate, 1.0, self.indenter)
-            beta = max(dry.like_hertz(self.beta), 1.0)
+            beta = max(dry.like_hertz(own), 1.0)
             width = min(0.5, 1.5 * beta**-0.4) * min(1.0, 2 / dry.exponent)  # of the boundary layer
             lift = wanted = dry.edge_rise * beta**-0.6
-            outside = self.speed * profile * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
+            outside = profile / own * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
             pressure = outside
             for _ in range(LIFTS):
                 deeper = smeared_contact(self.substrate, dry.indentation + lift, width, self.indenter, dry.exponent)
@@ -201,7 +220,8 @@ class LinearisedContact:
     def flow(self) -> Flow:
         """The fluxes between the nodes."""
         system = self.system
-        return system.reynolds.at(system.pressure(self.x), self.film, system.speed, system.liquid)
+        ratio = system.problem.slide_to_roll
+        return system.reynolds.at(system.pressure(self.x), self.film, system.speed, system.liquid, ratio)
 
     @cached_property
     def residual(self) -> Array:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from softlube.discretization.reynolds import Sparse
+from softlube.discretization.differences import Sparse
 from softlube.discretization.system import ContactSystem, LinearisedContact
 
 Array = NDArray[np.floating]

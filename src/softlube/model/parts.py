@@ -22,11 +22,13 @@ class _Constructor:
     """The signature of a part, from its inputs: the first may be positional."""
 
     def __get__(self, instance: Any, owner: type[Part]) -> Signature:
-        kinds = [Parameter.POSITIONAL_OR_KEYWORD] + [Parameter.KEYWORD_ONLY] * len(owner.inputs)
+        defaults = {owner.over: REQUIRED} if owner.over else {}
+        defaults |= {name: each.default for name, each in owner.inputs.items()}
+        kinds = [Parameter.POSITIONAL_OR_KEYWORD] + [Parameter.KEYWORD_ONLY] * len(defaults)
         return Signature(
             [
-                Parameter(name, kind, default=Parameter.empty if each.default is REQUIRED else each.default)
-                for (name, each), kind in zip(owner.inputs.items(), kinds, strict=False)
+                Parameter(name, kind, default=Parameter.empty if default is REQUIRED else default)
+                for (name, default), kind in zip(defaults.items(), kinds, strict=False)
             ]
         )
 
@@ -44,6 +46,8 @@ class Part(Declaring):
         Its name within the slot, in files and for the selector.
     usual : bool
         Whether it is taken before others that have the inputs given.
+    over : str
+        Where a part is an addition to another of its slot: the attribute that is the other one.
 
     Raises
     ------
@@ -55,8 +59,11 @@ class Part(Declaring):
     selector: ClassVar[str] = ""
     kind: ClassVar[str]
     usual: ClassVar[bool] = False
+    over: ClassVar[str] = ""
     slots: ClassVar[dict[str, dict[str, type[Part]]]] = {}
     """Every kind of part by slot and name."""
+    additions: ClassVar[dict[str, dict[str, type[Part]]]] = {}
+    """Every kind of addition to the parts of a slot."""
     attributes: ClassVar[Mapping[str, str]] = {}
     """Its attributes by the names that their inputs have in an experiment."""
     __signature__ = _Constructor()
@@ -65,15 +72,18 @@ class Part(Declaring):
         super().__init_subclass__()
         cls.attributes = {each.name: attribute for attribute, each in cls.inputs.items()}
         if "kind" in vars(cls):
-            Part.slots.setdefault(cls.slot, {})[cls.kind] = cls
+            (Part.additions if cls.over else Part.slots).setdefault(cls.slot, {})[cls.kind] = cls
             _words_of.cache_clear()
         if cls.selector:
             register(selector_input(cls.slot, cls.selector))
 
     def __init__(self, *first: object, **named: object) -> None:
-        given = dict(zip(self.inputs, first[:1], strict=False)) | named
-        if len(first) > 1 or len(given) < len(first) + len(named) or given.keys() - self.inputs.keys():
+        names = list(self.__signature__.parameters)
+        given = dict(zip(names, first[:1], strict=False)) | named
+        if len(first) > 1 or len(given) < len(first) + len(named) or given.keys() - set(names):
             raise TypeError(f"{type(self).__name__}: expected {type(self).__name__}{self.__signature__}")
+        if self.over:
+            vars(self)[self.over] = _checked_part(self.slot, given.get(self.over))
         vars(self).update(self.checked(read(self.inputs, given)))
 
     def checked(self, values: dict[str, Any]) -> dict[str, Any]:
@@ -82,8 +92,24 @@ class Part(Declaring):
 
     def flat(self) -> dict[str, Any]:
         """Its inputs in SI by their names in an experiment, with the selector; `resolve` makes an equal part of them."""
-        named = {self.inputs[attribute].name: value for attribute, value in vars(self).items()}
+        named = {self.inputs[name].name: value for name, value in vars(self).items() if name in self.inputs}
+        if self.over:
+            return vars(self)[self.over].flat() | named
         return named | ({self.selector: self.kind} if self.selector else {})
+
+    def value(self, name: str) -> Any:
+        """What an input of an experiment is in this part.
+
+        Raises
+        ------
+        KeyError
+            If it has no such input.
+        """
+        if name in self.attributes:
+            return getattr(self, self.attributes[name])
+        if self.over:
+            return vars(self)[self.over].value(name)
+        return {self.selector: self.kind}[name]
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"{type(self).__name__} is immutable; make another one")
@@ -102,7 +128,7 @@ def selector_input(slot: str, selector: str) -> Input:
     """The input that names the kind of a slot's part."""
     kinds = Part.slots.setdefault(slot, {})
     of = selector.removesuffix("_law")
-    usual = next((kind for kind, each in kinds.items() if each.usual), "")
+    usual = " or ".join(kind for kind, each in kinds.items() if each.usual)
     absent = f"follows from the inputs; {usual} where several fit" if usual else ""
     made = Input(f"Law of the {of}", choices=lambda: tuple(sorted(kinds)), default=None, absent=absent)
     made.name = selector
@@ -129,9 +155,10 @@ def vocabulary(slots: Iterable[str]) -> dict[str, Input]:
 def _words_of(slot: str) -> dict[str, Input]:
     """Inputs of a slot's kinds, those of the simplest first; forgotten when a new kind is defined."""
     kinds = sorted(Part.slots[slot].values(), key=_simplicity)
+    selector = kinds[0].selector
+    kinds += Part.additions.get(slot, {}).values()
     found = {each.name: each for kind in reversed(kinds) for each in kind.inputs.values()}
     ordered = {name: found[name] for kind in kinds for name in kind.attributes}
-    selector = kinds[0].selector
     return ordered | ({selector: selector_input(slot, selector)} if selector else {})
 
 
@@ -152,19 +179,34 @@ def _part(slot: str, given: Mapping[str, object]) -> Part:
     part = given.get(slot)
     if part is None:
         return _by_inputs(slot, flat)
-    if not isinstance(part, Part) or part.slot != slot:
-        classes = " or ".join(each.__name__ for each in Part.slots[slot].values())
-        raise InputError(f"{slot}: expected {classes}, got {part!r}")
+    part = _checked_part(slot, part)
     if flat:
         raise InputError(f"{slot}, {next(iter(flat))}: {part!r} says it already; give the part, or its inputs instead")
+    return part
+
+
+def _checked_part(slot: str, part: object) -> Part:
+    if not isinstance(part, Part) or part.slot != slot:
+        kinds = [*Part.slots[slot].values(), *Part.additions.get(slot, {}).values()]
+        raise InputError(f"{slot}: expected {' or '.join(each.__name__ for each in kinds)}, got {part!r}")
     return part
 
 
 def _by_inputs(slot: str, flat: dict[str, object]) -> Part:
     kinds = Part.slots[slot]
     names = _words_of(slot)
+    for addition in Part.additions.get(slot, {}).values():
+        own = {name: value for name, value in flat.items() if name in addition.attributes}
+        if own:
+            missing = next((name for name in addition.attributes if name in _required(addition) - own.keys()), None)
+            if missing is not None:
+                raise _incomplete(next(iter(own)), missing)
+            below = _by_inputs(slot, {name: value for name, value in flat.items() if name not in own})
+            return addition(below, **{addition.attributes[name]: value for name, value in own.items()})
     selector = next(iter(kinds.values())).selector
-    everywhere = set.intersection(*(_required(kind) for kind in kinds.values()))
+    simplest = min(kinds.values(), key=_simplicity)
+    alike = [kind for kind in kinds.values() if _required(kind) & _required(simplest)] or [simplest]
+    everywhere = set.intersection(*map(_required, alike))
     # A default says nothing: a half-space's file of an earlier version has base = "bonded".
     said = {name: value for name, value in flat.items() if name != selector and not _same(value, names[name].default)}
     usual = next((each for each in kinds.values() if each.usual), None)
@@ -185,11 +227,10 @@ def _by_inputs(slot: str, flat: dict[str, object]) -> Part:
     if not complete:
         nearest = min(fitting, key=lambda each: (len(_required(each) - said.keys()), not each.usual))
         missing = next(name for name in nearest.attributes if name in _required(nearest) - everywhere - said.keys())
-        simplest = min(kinds.values(), key=_simplicity)
         first = selector if choice is not None else next((name for name in said if name not in simplest.attributes), None)
         if first is None:
             raise InputError(f"{missing}: missing; expected {names[missing].expected}")
-        raise InputError(f"{first}, {missing}: the first means nothing without the second; give both or neither")
+        raise _incomplete(first, missing)
     complete.sort(key=_simplicity)
     best = complete[0]
     if [(len(each.inputs), each.usual) for each in complete[:2]] == [(len(best.inputs), best.usual)] * 2:
@@ -202,6 +243,10 @@ def _by_inputs(slot: str, flat: dict[str, object]) -> Part:
 def _simplicity(kind: type[Part]) -> tuple[int, bool]:
     """What the kinds of a slot are ordered by: few inputs first, the usual one first of those that have as many."""
     return len(kind.inputs), not kind.usual
+
+
+def _incomplete(given: str, missing: str) -> InputError:
+    return InputError(f"{given}, {missing}: the first means nothing without the second; give both or neither")
 
 
 @cache

@@ -12,6 +12,7 @@ from softlube.model import indenters, substrates
 from softlube.model import liquids as liquids
 from softlube.model.indenters import Paraboloid, Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
+from softlube.model.motions import FIXED_BALL
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 
 Cavitation = Literal["reynolds", "none"]
@@ -42,12 +43,15 @@ class Problem:
         The laws of viscosity and density, see `softlube.model.liquids`; pressures over 4πG√(unit of height/R).
     indenter : Shape
         The indenter's surface, see `softlube.model.indenters`; the paraboloid r²/2 of the paper if not given.
+    slide_to_roll : float
+        S, see `softlube.Rolling`.  Films of liquids whose shear stress is not in proportion to the shear rate depend on it; for
+        other liquids it is `softlube.model.motions.FIXED_BALL` whatever is given, and frictions at other S follow.
 
     Raises
     ------
     InputError
         If not exactly one of β and β_load is given, or one is not positive and finite, or the cavitation model is unknown, or a
-        height is given with a load.
+        height is given with a load, or the slide-to-roll ratio is not finite.
     """
 
     beta: float | None = None
@@ -57,6 +61,7 @@ class Problem:
     substrate: Substrate = field(default_factory=HalfSpaceKernel)
     liquid: Liquid = field(default_factory=NewtonianLaw)
     indenter: Shape = field(default_factory=Paraboloid)
+    slide_to_roll: float = FIXED_BALL
 
     def __post_init__(self) -> None:
         if (self.beta is None) == (self.beta_load is None):
@@ -76,6 +81,9 @@ class Problem:
             raise InputError(f"height: expected -1 (indentation), 0 or 1 (gap), got {self.height!r}")
         if self.beta_load is not None and self.height != -1:
             raise InputError("height, beta_load: under a prescribed load the height is an unknown; leave it out")
+        if not math.isfinite(self.slide_to_roll):
+            raise InputError(f"slide_to_roll: expected a finite number, got {shown(self.slide_to_roll)}")
+        object.__setattr__(self, "slide_to_roll", FIXED_BALL if self.liquid.linear else float(self.slide_to_roll))
 
     def to_plain(self) -> dict[str, Any]:
         """The problem in plain values, for files; one of the paper's model looks as it did before there were others."""
@@ -85,7 +93,8 @@ class Problem:
             "liquid": liquids.to_plain(self.liquid),
             "indenter": indenters.to_plain(self.indenter),
         }
-        return values | {name: model for name, model in models.items() if len(model) > 1}
+        values |= {name: model for name, model in models.items() if len(model) > 1}
+        return values if self.liquid.linear else values | {"slide_to_roll": self.slide_to_roll}
 
     @classmethod
     def from_plain(cls, values: Mapping[str, Any]) -> Problem:

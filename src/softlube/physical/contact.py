@@ -221,7 +221,7 @@ class Contact(Materials, Summarised):
         height = self.unit_height
         beta = self.beta(height, self.speed_sum)
         models: dict[str, Any] = {"substrate": self.substrate_for(height), "liquid": self.liquid_for(height)}
-        models["indenter"] = self.shape_for(height)
+        models |= {"indenter": self.shape_for(height), "slide_to_roll": self.slide_to_roll}
         if self.load is not None:
             problem = Problem(beta_load=beta, cavitation=self.cavitation, **models)
         else:
@@ -291,8 +291,8 @@ class Contact(Materials, Summarised):
     def dimensional(self, quantities: Mapping[str, Quantity]) -> dict[str, Quantity]:
         """Quantities of `problem` in SI, Eqs. (4) and (26).
 
-        A problem knows no slide-to-roll ratio, its frictions are those of a ball that does not turn; here they are those of the
-        motion, see `softlube.physical.rolling.at_slide_to_roll`.
+        Frictions of a problem whose liquid's shear stress is in proportion to the shear rate are those of a ball that does not
+        turn; here they are those of the motion, see `softlube.physical.rolling.at_slide_to_roll`.
         """
         units = {dimension: value for dimension, (value, _) in self.scales(self.unit_height).items()}
         height, length = units["height"], units["length"]
@@ -304,7 +304,8 @@ class Contact(Materials, Summarised):
                 result[name] = quantity.scaled(units[row.dimension], row.unit.si)
         if self.load is not None:
             result["load"] = Quantity(self.load, 0.0, "N")
-        result = at_slide_to_roll(result, self.slide_to_roll)
+        if self.liquid_for(height).linear:  # else the problem has the motion's own
+            result = at_slide_to_roll(result, self.slide_to_roll)
         friction, load = result["friction_total"], result["load"]
         coefficient = friction / load
         result["indentation"] = Quantity(-height * float(quantities["height"]), height * quantities["height"].error, "m")
@@ -327,7 +328,8 @@ class Contact(Materials, Summarised):
         doubts = self.width_doubt(radius, "pressure reaches" if lifted else "contact radius is")
         if self.roughness is not None and (ratio := float(dimensional["lambda_ratio"])) < FULL_FILM:
             doubts.append(ROUGH.format(ratio=ratio, lubrication=lubrication(ratio), full=FULL_FILM))
-        shear = float(dimensional["friction_contact" if self.slide_to_roll == FIXED_BALL else "friction_domain"])
+        known = self.slide_to_roll == FIXED_BALL or not self.liquid_for(self.unit_height).linear
+        shear = float(dimensional["friction_contact" if known else "friction_domain"])
         if not lifted:
             doubts += self.traction_doubt(shear, float(dimensional["load_contact"]), radius)
         center = float(dimensional["film_center"])

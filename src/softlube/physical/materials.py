@@ -16,7 +16,7 @@ from softlube.errors import InputError
 from softlube.model.dry import PARABOLOID, DryContact, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD, hertz_indentation
 from softlube.model.indenters import IndenterPart, Shape
-from softlube.model.liquids import DensityPart, Liquid, LiquidPart
+from softlube.model.liquids import DensityPart, Liquid, Lubricant
 from softlube.model.liquids.newtonian import NewtonianLaw
 from softlube.model.parts import Part, vocabulary
 from softlube.model.substrates import HalfSpaceKernel, Substrate, SubstratePart
@@ -47,14 +47,14 @@ class Materials:
     ----------
     indenter : IndenterPart
     substrate : SubstratePart
-    liquid : LiquidPart
+    liquid : Lubricant
     compressibility : DensityPart
         How the density of the liquid depends on the pressure.
     """
 
     indenter: IndenterPart
     substrate: SubstratePart
-    liquid: LiquidPart
+    liquid: Lubricant
     compressibility: DensityPart
 
     def __post_init__(self) -> None:
@@ -69,20 +69,17 @@ class Materials:
         @property
         def radius(self) -> float: ...
         @property
-        def viscosity(self) -> float: ...
-        @property
         def density(self) -> float: ...
 
     def __getattr__(self, name: str) -> float | str | None:
         """An input of one of the parts."""
         for part in vars(self).values():
             if isinstance(part, Part):
-                if name in part.attributes:
-                    return getattr(part, part.attributes[name])
-                if name == part.selector:
-                    return part.kind
-                if name in vocabulary([part.slot]):
-                    return None
+                try:
+                    return part.value(name)
+                except KeyError:
+                    if name in vocabulary([part.slot]):
+                        return None
         raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
 
     def inputs(self) -> dict[str, float | str | None]:
@@ -92,6 +89,11 @@ class Materials:
             value = getattr(self, each.name)
             found |= value.flat() if isinstance(value, Part) else {each.name: value}
         return found
+
+    @property
+    def viscosity(self) -> float:
+        """Viscosity that the problem is normalised with [Pa s]: of the liquid at rest, where it has one there."""
+        return self.liquid.reference_viscosity
 
     @property
     def reduced_radius(self) -> float:
@@ -167,8 +169,9 @@ class Materials:
 
     def liquid_for(self, height: float) -> Liquid:
         """The laws of viscosity and density, normalised with a height [m]."""
-        pressure = self.scales(height)["pressure"][0]
-        return self.compressibility.law(self.liquid.law(pressure), pressure)
+        scales = {name: value for name, (value, _) in self.scales(height).items()}
+        pressure, stress = scales["pressure"], scales["friction"] / scales["length"] ** 2
+        return self.compressibility.law(self.liquid.sheared(self.liquid.law(pressure), pressure, stress), pressure)
 
     def thickening_doubt(self, highest_pressure: float) -> list[str]:
         """Warnings if viscosity or density depend on the pressure by their laws, and hardly do up to a pressure [Pa]."""

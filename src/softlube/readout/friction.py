@@ -19,7 +19,7 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
-from softlube.discretization.fields import Places
+from softlube.discretization.fields import Fields, Places
 from softlube.discretization.measure import friction_parts, integrate
 from softlube.errors import InputError
 from softlube.model.exact import far_field_profile
@@ -38,7 +38,8 @@ class FrictionSplit:
     ----------
     cutoff : float
     couette : float
-        (1/β)∫(η/η₀)/ū dA, the same on both walls.
+        ∫τm dA, τm the mean shear stress across the film, (η/η₀)/(βū) where it is in proportion to the shear rate; the same on
+        both walls.
     poiseuille : float
         3∫ū ∂p̄/∂x dA, what the pressure gradient adds on the sphere and takes from the substrate.
     sphere_pressure : float
@@ -95,9 +96,6 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
     """
     fields = solution.fields
 
-    def couette(at: Places) -> Array:
-        return fields.viscosity_on(at) / (fields.beta * fields.film_on(at))
-
     def poiseuille(at: Places) -> Array:
         return 3 * fields.film_on(at) * fields.gradient_on(at)[0]
 
@@ -113,7 +111,7 @@ def split(solution: Solution, cutoff: float = 2.0) -> FrictionSplit:
     edge = 12 * cutoff * float(np.sum(pu * rim.cosine * rim.dtheta_ds * weight)) * np.pi / 2
     return FrictionSplit(
         cutoff=float(cutoff),
-        couette=integrate(fields, couette, cutoff) + solution.friction_missed(cutoff),
+        couette=integrate(fields, fields.drag_on, cutoff) + solution.friction_missed(cutoff),
         poiseuille=integrate(fields, poiseuille, cutoff),
         sphere_pressure=integrate(fields, on_sphere, cutoff),
         substrate_pressure=integrate(fields, on_substrate, cutoff),
@@ -139,9 +137,11 @@ def total_within(solution: Solution, cutoff: float, slide_to_roll: float = FIXED
     cutoff : float
         Radius in units of the solution's unit of length.
     slide_to_roll : float
-        S, see `softlube.Rolling`: the Couette part is S/2 times that of a ball that does not turn.
+        S, see `softlube.Rolling`: the Couette part is S/2 times that of a ball that does not turn.  A solution whose liquid's
+        shear stress is not in proportion to the shear rate has its own, and this counts for nothing.
     """
     fields = solution.fields
+    share = slide_to_roll / 2 if fields.liquid.linear else 1.0
     reach = min(cutoff, float(fields.r[-1]))
     couette, poiseuille = friction_parts(fields, reach)
     couette += solution.friction_missed(reach)
@@ -154,8 +154,21 @@ def total_within(solution: Solution, cutoff: float, slide_to_roll: float = FIXED
             )
             / np.pi
         )
-        couette += 2 * np.pi / fields.beta * np.log1p((cutoff**2 - reach**2) / (2 * gap))
-    return float(couette * slide_to_roll / 2 - poiseuille)
+        if fields.liquid.linear:
+            couette += 2 * np.pi / fields.beta * np.log1p((cutoff**2 - reach**2) / (2 * gap))
+        else:
+            couette += _sheared_beyond(fields, gap, reach, cutoff)
+    return float(couette * share - poiseuille)
+
+
+def _sheared_beyond(fields: Fields, gap: float, reach: float, cutoff: float) -> float:
+    """∫τm dA over reach < r < cutoff, where the film is sheared only and opens like a parabola, by the law of the liquid."""
+    x, weight = leggauss(40)
+    half = np.log(cutoff / reach) / 2
+    r = reach * np.exp(half * (x + 1))
+    rest = fields.slip / (gap + (r**2 - reach**2) / 2)
+    stress = np.copysign(fields.liquid.flow_curve(np.maximum(np.abs(rest), 1e-150)), rest)
+    return float(2 * np.pi * half * np.sum(weight * r**2 * fields.liquid.limited(stress, np.zeros_like(r))))
 
 
 @dataclass(frozen=True)

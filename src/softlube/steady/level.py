@@ -178,7 +178,7 @@ def _first_guess(regime: Regime, system: ContactSystem, history: list[Iteration]
     The step from a guess is safer with the height held, and the height is the dry contact's but for β^(−3/5).
     """
     problem = regime.problem
-    start = system.start(regime.first_height / system.scale)
+    start = system.start(regime.first_height / system.scale, regime.viscosity)
     if not (problem.load_controlled and regime.beta > HELD_BETA):
         return start
     depth = regime.dry.indentation
@@ -215,7 +215,7 @@ def _thickened(regime: Regime, grid: PolarGrid, history: list[Iteration]) -> Arr
 def _settled(regime: Regime, system: ContactSystem, history: list[Iteration]) -> Array:
     """Let the film settle in time, as under a sphere that starts to slide, where the direct start failed."""
     result = None
-    start = system.start(regime.first_height / system.scale)
+    start = system.start(regime.first_height / system.scale, regime.viscosity)
     times = [system.beta * each for each in (FIRST_TIME, SHORTEST_TIME, LONGEST_TIME)]
     for result in settle(system, implicit_steps(system), start, *times):
         history += result.history

@@ -9,6 +9,7 @@ import numpy as np
 
 from softlube.model.dry import PARABOLOID, DryContact, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE
+from softlube.model.film_section import viscosity_at
 from softlube.model.problem import Problem
 
 TOUCHING = 4.5
@@ -21,6 +22,11 @@ STEEP_BETA = 3e2, 3e4
 """β′ from which on the steepness counts, and beyond which it counts in full."""
 THICK = 2.5
 """ln η/η₀ under a dry contact's largest pressure beyond which a spike may stand at the outlet."""
+INLET_RATE = 0.5, 0.58
+"""Shear rates that decide the film over the walls' mean speed over the film at the centre: of the sliding, S = 2, and of the
+pressure gradient, whose wall stress is largest where the film is twice that at the centre, 3/4, and counts by √(3/5)."""
+VISCOSITY_STEPS = 60
+"""Steps of the fixed point for the inlet's viscosity, each of which brings it nearer by the factor 0.6 (1 − n) at least."""
 FRONT_EDGE = 6.0
 """Rise of a layer's dry pressure at the edge over a half-space's beyond which the sides' constriction may end in a front."""
 
@@ -51,6 +57,9 @@ class Regime:
         in angle.  The steepness counts as far as the boundary layers are narrow, in full beyond the second of `STEEP_BETA`.
     thickening : float
         ln η/η₀ at the largest pressure of the dry contact, for which (2/π²)√(indentation) is taken under a paraboloid.
+    viscosity : float
+        Viscosity of the liquid where the film is made, over that at rest, about; 1 for a liquid that does not thin with shear.
+        β′ and all that follows from it are formed with it.
     front : bool
         Whether the constriction at the sides of the contact may end in a front, as on very thin layers (docs/how-to/layers.md).
     """
@@ -62,6 +71,7 @@ class Regime:
     over_gap: bool
     steepness: float
     thickening: float
+    viscosity: float
     front: bool
 
     @classmethod
@@ -77,15 +87,17 @@ class Regime:
             dry = dry_contact_at(problem.substrate, load=HERTZ_LOAD, indenter=problem.indenter)
         else:
             dry = dry_contact_at(problem.substrate, indentation=1.0, indenter=problem.indenter)
-        beta = dry.like_hertz(problem.parameter)
+        viscosity = _inlet_viscosity(problem, dry)
+        own = problem.parameter / viscosity
+        beta = dry.like_hertz(own)
         pressed = dry.radius**2
         if problem.load_controlled:
             # Where the film is thicker than the indentation, the pressure is as wide as the gap allows: the rigid sphere's
             # is largest at r = 0.26 √(2h₀).
-            unit = pressed + 0.18 * max(_height_under_load(problem, dry, beta), 0)
+            unit = pressed + 0.18 * max(_height_under_load(problem, dry, own), 0)
             over_gap = beta < THIN_GAP and unit > 1.01 * pressed
         else:
-            lifted = np.sqrt(TOUCHING / problem.parameter)
+            lifted = np.sqrt(TOUCHING / own)
             over_contact = pressed * max(1.0, np.sqrt(TOUCHING / beta))
             unit = float({-1: over_contact, 0: lifted, 1: 0.2 + lifted}[problem.height])
             over_gap = problem.height >= 0
@@ -100,6 +112,7 @@ class Regime:
             over_gap=over_gap,
             steepness=narrow * (1 - 1 / dry.substrate_rise),
             thickening=float(np.log(problem.liquid.viscosity(highest)[0])),
+            viscosity=viscosity,
             front=dry.substrate_rise > FRONT_EDGE,
         )
 
@@ -131,12 +144,28 @@ class Regime:
         rigid sphere's pressure, which goes like 1/(β√h₀), or without the Reynolds condition by what the deformation adds to
         that pressure, like 1/(β²h₀^(5/2)).  The constants are fitted to solutions.
         """
-        return _height_under_load(self.problem, self.dry, self.beta)
+        return _height_under_load(self.problem, self.dry, self.problem.parameter / self.viscosity)
 
 
-def _height_under_load(problem: Problem, dry: DryContact, beta: float) -> float:
-    """See `Regime.first_height`."""
+def _inlet_viscosity(problem: Problem, dry: DryContact) -> float:
+    """See `Regime.viscosity`: the viscosity makes the film, and the film the shear rate."""
+    viscosity = 1.0
+    if not problem.liquid.thins:
+        return viscosity
+    sliding, pushed = INLET_RATE
+    speed = float(np.hypot(sliding * problem.slide_to_roll / 2, pushed)) / problem.parameter
+    for _ in range(VISCOSITY_STEPS):
+        own = problem.parameter / viscosity
+        film = dry.radius**2 * dry.edge_rise * max(dry.like_hertz(own), TOUCHING / 2) ** -0.6 + max(problem.height, 0)
+        if problem.load_controlled:
+            film += max(_height_under_load(problem, dry, own), 0)
+        viscosity = float(viscosity_at(problem.liquid, speed / film))
+    return viscosity
+
+
+def _height_under_load(problem: Problem, dry: DryContact, own: float) -> float:
+    """See `Regime.first_height`; `own` is the problem's β with the viscosity where the film is made."""
+    beta = dry.like_hertz(own)
     if beta > TOUCHING / 2:
         return 2.6 * dry.radius**2 * dry.edge_rise * beta**-0.6 - dry.indentation
-    own = problem.parameter
     return 5.5 / own**2 if problem.cavitation == "reynolds" else 0.65 / own**0.8

@@ -7,6 +7,7 @@ import numpy as np
 from softlube.errors import InputError, NotConvergedError, warn
 from softlube.model.indenters import Paraboloid, Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
+from softlube.model.motions import FIXED_BALL
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.solvers import budget as time_budget
@@ -40,6 +41,7 @@ def solve(
     substrate: Substrate | None = None,
     liquid: Liquid | None = None,
     indenter: Shape | None = None,
+    slide_to_roll: float = FIXED_BALL,
     accuracy: float = DEFAULT_ACCURACY,
     method: str = "newton",
     budget: float = DEFAULT_BUDGET,
@@ -61,6 +63,9 @@ def solve(
         Of `softlube.model.liquids`; constant viscosity if none.
     indenter : Shape, optional
         Of `softlube.model.indenters`; the paraboloid of the paper if none.
+    slide_to_roll : float
+        Difference of the surface speeds over their mean, see `softlube.Rolling`: films of liquids that thin with shear depend
+        on it.  Quantities of other liquids are those of a ball that does not turn, 2.
     accuracy : float
         Relative error aimed at (film_min and shear_rate_max: three times that, ten times beyond β = 3·10⁶).  Grids follow
         from it.
@@ -97,6 +102,7 @@ def solve(
         substrate=substrate or HalfSpaceKernel(),
         liquid=liquid or NewtonianLaw(),
         indenter=indenter or Paraboloid(),
+        slide_to_roll=slide_to_roll,
     )
     return solve_problem(problem, accuracy=accuracy, method=method, budget=budget, progress=progress)
 

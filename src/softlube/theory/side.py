@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from softlube.discretization.reynolds import FOURTH
+from softlube.discretization.differences import FOURTH
 from softlube.solvers.newton import DenseEquation, newton
 from softlube.theory.inlet import INLET_MESH, Part, inlet, sinc_line, smooth_edge
 

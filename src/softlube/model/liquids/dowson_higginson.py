@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from softlube.model.lazy import numpy as np
-from softlube.model.liquids.base import Array, DensityPart, Law, Liquid, check_positive
+from softlube.model.liquids.base import Array, DensityPart, LawOver, Liquid, check_positive
 
 DENSITY_PRESSURE = 5.9e8
 """Pressure [Pa] at which half of the densest liquid's compression has been had, in Dowson & Higginson's law."""
@@ -16,7 +16,7 @@ DENSITY_RISE = 0.34
 
 
 @dataclass(frozen=True)
-class DowsonHigginsonLaw(Law):
+class DowsonHigginsonLaw(LawOver):
     """ρ/ρ₀ = 1 + 0.34 p/(p₁ + p), p₁ = 0.59 GPa: mineral oils (Dowson & Higginson 1966).
 
     Parameters
@@ -27,7 +27,6 @@ class DowsonHigginsonLaw(Law):
         p₁ over the unit of pressure.
     """
 
-    liquid: Liquid
     reference: float
     kind: ClassVar[str] = "dowson-higginson"
 
@@ -43,27 +42,11 @@ class DowsonHigginsonLaw(Law):
         """The same liquid with another unit of height."""
         return replace(self, liquid=self.liquid.in_units(unit), reference=self.reference / math.sqrt(unit))
 
-    def viscosity(self, pressure: Array) -> Array:
-        """The liquid's."""
-        return self.liquid.viscosity(pressure)
-
-    def fluidity(self, pressure: Array) -> tuple[Array, Array]:
-        """The liquid's."""
-        return self.liquid.fluidity(pressure)
-
-    def reduced_pressure(self, pressure: Array) -> Array:
-        """The liquid's."""
-        return self.liquid.reduced_pressure(pressure)
-
     def density(self, pressure: Array) -> tuple[Array, Array]:
         """ρ/ρ₀ and its derivative; a liquid under tension is as dense as at −p₁/2, where the law is not meant to reach."""
         compressed = np.maximum(pressure / self.reference, -0.5)
         slope = np.where(compressed > -0.5, DENSITY_RISE / (self.reference * (1 + compressed) ** 2), 0.0)
         return 1 + DENSITY_RISE * compressed / (1 + compressed), slope
-
-    def weakened(self, share: float) -> DowsonHigginsonLaw:
-        """The same density, a share of the viscosity's rise."""
-        return replace(self, liquid=self.liquid.weakened(share))
 
 
 class DowsonHigginson(DensityPart):
