@@ -7,6 +7,16 @@ from scipy.sparse.linalg import spsolve
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.reynolds import ReynoldsOperator
 from softlube.model.exact import kapitza_pressure
+from softlube.model.film_section import EXACT, film_section
+from softlube.model.liquids import (
+    BarusLaw,
+    CarreauYasudaLaw,
+    DowsonHigginsonLaw,
+    EyringLaw,
+    NewtonianLaw,
+    OstwaldLaw,
+    RoelandsLaw,
+)
 
 GRID = PolarGrid(16, 10, edge_width=0.2)
 
@@ -109,3 +119,59 @@ def test_derivatives_against_complex_step():
     assert flow.change(change, 0 * change) == pytest.approx(numeric, rel=1e-12, abs=1e-12)
     numeric = residual(pressure + 0j, film + 1j * step * change).imag / step
     assert flow.change(0 * change, change) == pytest.approx(numeric, rel=1e-12, abs=1e-12)
+
+
+THINNING = [
+    OstwaldLaw(NewtonianLaw(), 0.1, 0.6),
+    CarreauYasudaLaw(NewtonianLaw(), 30.0, 0.5, 0.01),
+    EyringLaw(BarusLaw(3.0), 0.05),
+    DowsonHigginsonLaw(CarreauYasudaLaw(RoelandsLaw(3.0, 0.6, 0.4), 30.0, 0.4), 0.6),
+]
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.7, 2.0])
+@pytest.mark.parametrize("law", THINNING)
+def test_derivatives_of_a_thinning_liquid_against_differences(law, ratio):
+    rng = np.random.default_rng(3)
+    operator = ReynoldsOperator.on(GRID)
+    pressure, film = smooth_fields(GRID)
+    pressure = 0.2 * pressure + 0.01 * rng.random(pressure.size)
+    step = pressure * rng.standard_normal(pressure.size), film * rng.standard_normal(film.size)
+    change = operator.at(pressure, film, 0.02, law, ratio).change(*step)
+    ahead, behind = (operator.residual(pressure + h * step[0], film + h * step[1], 0.02, law, ratio) for h in (1e-6, -1e-6))
+    assert change == pytest.approx((ahead - behind) / 2e-6, abs=1e-7 * np.max(np.abs(change)))
+
+
+def thinning_balance(grid, law, speed, ratio):
+    """Minus the divergence of φu²m/6 + speed u e_x under `smooth_fields`, by central differences of high order in x and y."""
+
+    def flux(x, y):
+        film = 0.5 + 0.2 * x + (x**2 + y**2) / 2 + 0.1 * np.exp(-((x - 0.5) ** 2) - y**2)
+        p = np.exp(-((x - 0.3) ** 2) - 1.5 * y**2)
+        fluidity = law.fluidity(p)[0]
+        difference = 6 * film * np.stack([-2 * (x - 0.3) * p, -3 * y * p])
+        section = film_section(law, difference.reshape(2, -1), (speed * ratio / 2 / film / fluidity).ravel(), EXACT)
+        moment = section.moment.reshape(difference.shape)
+        return fluidity * film**2 * moment[0] / 6 + speed * film, fluidity * film**2 * moment[1] / 6
+
+    x, y = grid.r[:, None] * np.cos(grid.theta), grid.r[:, None] * np.sin(grid.theta)
+    h, total = 4e-3, 0.0
+    for k, weight in ((1, 3 / 4), (2, -3 / 20), (3, 1 / 60)):
+        total = total + weight * (flux(x + k * h, y)[0] - flux(x - k * h, y)[0] + flux(x, y + k * h)[1] - flux(x, y - k * h)[1])
+    return -total / h * (grid.r * grid.dr_dxi(grid.r))[:, None] * grid.dtheta_ds(grid.s)
+
+
+@pytest.mark.parametrize(
+    ("law", "ratio"), [(CarreauYasudaLaw(NewtonianLaw(), 1.0, 0.5, 0.01), 2.0), (EyringLaw(BarusLaw(1.0), 1.0), 0.7)]
+)
+def test_a_thinning_liquid_is_of_fourth_order_on_a_manufactured_solution(law, ratio):
+    sizes, errors = np.array([24, 36, 54]), []
+    for n in sizes:
+        grid = PolarGrid(3 * n, 2 * n, edge_width=0.5, reach=6)
+        pressure, film = smooth_fields(grid)
+        residual = ReynoldsOperator.on(grid).residual(pressure, film, 0.3, law, ratio).reshape(grid.n_r, -1)
+        inner = (grid.r[: grid.n_r] < 2) & (grid.r[: grid.n_r] > 0.3)
+        area = (grid.r * grid.dr_dxi(grid.r))[: grid.n_r, None] * grid.dtheta_ds(grid.s)
+        errors.append(np.max(np.abs((residual - thinning_balance(grid, law, 0.3, ratio)[: grid.n_r]) / area)[inner]))
+    order = -np.polyfit(np.log(sizes), np.log(errors), 1)[0]
+    assert order > 3.5, (errors, order)

@@ -221,18 +221,21 @@ class Fields:
         drag = self.slip / (film * fluidity)
         return film_section(self.liquid, (6 * film / fluidity * gradient).reshape(2, -1), drag.ravel()), drag
 
+    def viscosity_on(self, at: Places) -> Array:
+        """η(p)/η₀ at places, of the liquid at rest."""
+        return self.liquid.viscosity(self.pressure_on(at))
+
     def drag_on(self, at: Places) -> Array:
         """Mean shear stress across the film along x, in units of (2π/3) G (unit of height)/R; (η/η₀)/(βū) if nothing thins.
 
         On the sphere the shear stress is this plus 3ū ∂p̄/∂x, on the substrate less.
         """
-        film, pressure = self.film_on(at), self.pressure_on(at)
-        drag = self.liquid.viscosity(pressure) * self.slip / film
+        drag = self.viscosity_on(at) * self.slip / self.film_on(at)
         if self.liquid.linear:
             return drag
         if self.liquid.thins:
             drag = drag * np.exp(self._ln_drag.on(at.across, at.along))
-        return self.liquid.limited(drag, pressure)
+        return self.liquid.limited(drag, self.pressure_on(at))
 
     def gradient_on(self, at: Places, spline: Spline | None = None) -> tuple[Array, Array]:
         """Cartesian gradient of the pressure, or of another spline, at places with ξ > 0."""
