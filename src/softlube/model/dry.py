@@ -58,7 +58,7 @@ class DryContact:
         Local exponent a g′(a)/g(a) of that contact's depth with its radius; 2 for the paraboloid, the larger the narrower the
         zone at the edge in which the pressure rises.
     corners : tuple of float
-        Radii within the contact at which a derivative of the shape jumps.
+        Radii within the contact at which a derivative of the shape jumps or changes fast.
     """
 
     radius: float

@@ -23,7 +23,8 @@ SHAPES = [
     SphereShape(0.2, 0.8),
     PowerShape(0.3, 1.0, 4.0),
     PowerShape(0.3, 0.7, 2.5),
-    RoundedPunchShape(0.4, 1.0, 0.5),
+    RoundedPunchShape(0.4, 1.0, 0.5, 0.0),
+    RoundedPunchShape(0.4, 0.8, 0.5, 0.1),
     RoundedConeShape(0.3, 0.9, 0.2, 2.0),
 ]
 

@@ -39,7 +39,7 @@ class Shape:
 
     @property
     def corners(self) -> tuple[float, ...]:
-        """Radii at which a derivative of f jumps, ascending."""
+        """Radii at which a derivative of f jumps or changes fast, ascending."""
         return ()
 
     @property
@@ -116,7 +116,7 @@ class Curved(Shape):
 
     @property
     def corners(self) -> tuple[float, ...]:
-        """Radii at which a derivative jumps, the end among them."""
+        """Radii at which a derivative jumps or changes fast, the end among them."""
         return tuple(each / self._length for each in (*self.own_corners, self.end) if math.isfinite(each))
 
     @property

@@ -14,7 +14,9 @@ from softlube.model.lazy import numpy as np
 
 @dataclass(frozen=True)
 class RoundedConeShape(Curved):
-    """F = x²/2 up to where the slope is the flank's, m x − m²/2 beyond.
+    """The hyperboloid F = m (√(x² + m²) − m): x²/2 at the tip, the cone of slope m beyond x ~ m.
+
+    Its transform is m x arctan(x/m), (π/2) m x of the sharp cone.
 
     Parameters
     ----------
@@ -34,19 +36,15 @@ class RoundedConeShape(Curved):
         """Radius of the base."""
         return self.base
 
-    @property
-    def own_corners(self) -> tuple[float, ...]:
-        """Where the tip goes over into the flank."""
-        return (self.incline,)
-
     def outline(self, x: Array) -> tuple[Array, Array, Array]:
-        """The tip and the flank, and the derivatives."""
-        tip = np.minimum(x, self.incline)
-        return tip * (x - tip / 2), tip, (x < self.incline).astype(float)
+        """The hyperboloid without cancellation, and its derivatives."""
+        m = self.incline
+        root = np.hypot(x, m)
+        return m * x**2 / (root + m), m * x / root, (m / root) ** 3
 
 
 class RoundedCone(IndenterPart):
-    """A cone whose tip is rounded with a parabola; where its flank ends, the surface turns up as the paraboloid touching it."""
+    """A cone whose tip is rounded, a hyperboloid; where its flank ends, the surface turns up as the paraboloid touching it."""
 
     kind: ClassVar[str] = "rounded-cone"
     tip_radius: float = given("Radius of curvature of the tip of a cone", LENGTH, "0.1 mm")
