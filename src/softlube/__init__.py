@@ -12,6 +12,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from softlube.model.lazy import readers as _readers
+
 if TYPE_CHECKING:
     from softlube.errors import InputError, NotConvergedError, SoftlubeError, ValidityWarning
     from softlube.experiments.approach import slide, squeeze
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
     from softlube.files.histories import read_history
     from softlube.files.netcdf import load
     from softlube.model import dry, liquids, substrates
-    from softlube.model.indenters import PowerProfile, RoundedCone, RoundedPunch, Sphere
+    from softlube.model.indenters import PowerProfile, Profile, RoundedCone, RoundedPunch, Sphere
     from softlube.model.liquids import (
         Barus,
         Carreau,
@@ -117,6 +119,7 @@ __all__ = [
     "PowerLaw",
     "PowerProfile",
     "Problem",
+    "Profile",
     "Quantity",
     "Rig",
     "Roelands",
@@ -169,6 +172,14 @@ if not TYPE_CHECKING:  # a checker of types reads the imports above, and finds a
         if name in (parts := _parts()):
             return parts[name]
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def _read_profile(path: str) -> Any:
+    """Radii and heights of the CSV file of an indenter's profile."""
+    return import_module(f"{__name__}.files.profiles").read_profile(path)
+
+
+_readers["profile"] = _read_profile
 
 
 def __dir__() -> list[str]:

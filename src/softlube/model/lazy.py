@@ -6,6 +6,9 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+readers: dict[str, Any] = {}
+"""Readers of files by the input whose file they read.  This room reads none: the package gives it the readers."""
+
 if TYPE_CHECKING:
     import numpy as numpy
 else:

@@ -54,4 +54,4 @@ def test_a_blend_is_smooth_and_tends_to_the_jump():
     assert bend == pytest.approx(0.5, abs=0.01)
     assert np.all(blended.slope(np.linspace(1e-3, 4, 300)) > 0)
     ours, exact = (dry_contact(HalfSpaceKernel(), 2.5, each) for each in (blended, sharp))
-    assert (ours.load, ours.indentation) == (pytest.approx(exact.load, rel=2e-3), pytest.approx(exact.indentation, rel=2e-3))
+    assert (ours.load, ours.indentation) == (pytest.approx(exact.load, rel=5e-3), pytest.approx(exact.indentation, rel=5e-3))

@@ -19,6 +19,7 @@ from softlube.model.parts import members
 if TYPE_CHECKING:
     from softlube.model.indenters.cone import RoundedCone, RoundedConeShape
     from softlube.model.indenters.power import PowerProfile, PowerShape
+    from softlube.model.indenters.profile import Profile, SplineShape
     from softlube.model.indenters.punch import RoundedPunch, RoundedPunchShape
     from softlube.model.indenters.sphere import Paraboloid, Sphere, SphereShape
 
@@ -28,6 +29,7 @@ __all__ = [
     "Paraboloid",
     "PowerProfile",
     "PowerShape",
+    "Profile",
     "RoundedCone",
     "RoundedConeShape",
     "RoundedPunch",
@@ -35,6 +37,7 @@ __all__ = [
     "Shape",
     "Sphere",
     "SphereShape",
+    "SplineShape",
     "from_plain",
     "to_plain",
 ]

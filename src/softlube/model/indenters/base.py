@@ -128,49 +128,48 @@ class Curved(Shape):
         """The shape with another unit of height."""
         return replace(self, unit=self.unit * unit)
 
-    def _whole(self, r: ArrayLike) -> tuple[Array, Array, Array]:
-        """f, f′ and f″, normalised."""
-        r = np.asarray(r, dtype=float)
-        x = self._length * r
+    def _continued(self, x: Array) -> tuple[Array, Array, Array]:
+        """F, F′ and F″ at any radius over the reference radius."""
         value, slope, bend = self.outline(np.minimum(x, self.end))
         if math.isfinite(self.end) and np.any(x > self.end):
             beyond, bowl = x > self.end, slope / np.minimum(np.maximum(x, 1e-300), self.end)
             value = np.where(beyond, value + bowl * (x - self.end) * (x + self.end) / 2, value)
             slope, bend = np.where(beyond, bowl * x, slope), np.where(beyond, bowl, bend)
-        other = 1 - self.share  # what the substrate's curvature adds
-        return (
-            value / self.unit + other * r**2 / 2,
-            slope * (self._length / self.unit) + other * r,
-            bend * self.share + other,
-        )
+        return value, slope, bend
 
     def height(self, r: ArrayLike) -> Array:
-        """f(r)."""
-        return self._whole(r)[0]
+        """f(r): the indenter's own, and what the substrate's curvature adds."""
+        r = np.asarray(r, dtype=float)
+        return self._continued(self._length * r)[0] / self.unit + (1 - self.share) * r**2 / 2
 
     def slope(self, r: ArrayLike) -> Array:
         """f′(r)."""
-        return self._whole(r)[1]
+        r = np.asarray(r, dtype=float)
+        return self._continued(self._length * r)[1] * (self._length / self.unit) + (1 - self.share) * r
 
     def depth(self, x: ArrayLike) -> Array:
-        """g(x) = x ∫ f′(x sin t) dt over 0 ≤ t ≤ π/2, by Gauss's quadrature between the corners."""
+        """g(x)."""
         x = np.asarray(x, dtype=float)
-        sine, weight = self._nodes(x)
-        return x * np.sum(self.slope(x[..., None] * sine) * weight, axis=-1)
+        return self.transform(self._length * x)[0] / self.unit + (1 - self.share) * x**2
 
     def depth_slope(self, x: ArrayLike) -> Array:
-        """g′(x) = ∫ (r f′)′ dt at r = x sin t."""
+        """g′(x)."""
         x = np.asarray(x, dtype=float)
+        return self.transform(self._length * x)[1] * (self._length / self.unit) + 2 * (1 - self.share) * x
+
+    def transform(self, x: Array) -> tuple[Array, Array]:
+        """G = x ∫ F′(x sin t) dt over 0 ≤ t ≤ π/2 and G′, over the reference radius, by Gauss's quadrature between corners."""
         sine, weight = self._nodes(x)
-        r = x[..., None] * sine
-        _, slope, bend = self._whole(r)
-        return np.sum((slope + r * bend) * weight, axis=-1)
+        place = x[..., None] * sine
+        _, slope, bend = self._continued(place)
+        return x * np.sum(slope * weight, axis=-1), np.sum((slope + place * bend) * weight, axis=-1)
 
     def _nodes(self, x: Array) -> tuple[Array, Array]:
         """Sines and weights of the quadrature in t for each x, shape (..., points)."""
         node, weight = _gauss(POINTS)
         first, last = np.zeros(x.shape), np.full(x.shape, np.pi / 2)
-        inner = [np.arcsin(np.minimum(corner / np.maximum(x, 1e-300), 1)) for corner in self.corners]
+        corners = [*self.own_corners, *([self.end] if math.isfinite(self.end) else [])]
+        inner = [np.arcsin(np.minimum(corner / np.maximum(x, 1e-300), 1)) for corner in corners]
         edges = np.stack([first, *inner, last], axis=-1)
         width = np.diff(edges, axis=-1)[..., None]
         t = edges[..., :-1, None] + width * node

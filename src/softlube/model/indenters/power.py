@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from softlube.errors import InputError, shown
 from softlube.model.indenters.base import Array, Curved, IndenterPart
 from softlube.model.inputs import NUMBER, Input, given
-from softlube.model.lazy import numpy as np
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
 
 EXPONENTS = 2.0, 8.0
 """Exponents that are taken: below 2 the tip is pointed, far above the indenter is a flat punch with a sharp edge."""
@@ -41,15 +37,10 @@ class PowerShape(Curved):
         bend = n * (n - 1) / 2 * (x / 2) ** (n - 2)
         return 2 * (x / 2) ** n, n * (x / 2) ** (n - 1), bend
 
-    def depth(self, x: ArrayLike) -> Array:
-        """G f(x) with G = n ∫₀^{π/2} sinⁿ⁻¹t dt, and x² for the substrate's curvature."""
-        x, other = np.asarray(x, dtype=float), 1 - self.share
-        return self._factor * (self.height(x) - other * x**2 / 2) + other * x**2
-
-    def depth_slope(self, x: ArrayLike) -> Array:
-        """The derivative of g."""
-        x, other = np.asarray(x, dtype=float), 1 - self.share
-        return self._factor * (self.slope(x) - other * x) + 2 * other * x
+    def transform(self, x: Array) -> tuple[Array, Array]:
+        """F and F′ times n ∫ sinⁿ⁻¹t dt over 0 ≤ t ≤ π/2."""
+        height, slope, _ = self.outline(x)
+        return self._factor * height, self._factor * slope
 
     @property
     def _factor(self) -> float:

@@ -21,7 +21,7 @@ pressure at the border."""
 class RoundedPunchShape(Curved):
     """Flat up to a radius b, then the parabola of the rounded edge, F = (x − b)²/2 (Schubert 1942, Ciavarella 1999).
 
-    The curvature rises from 0 to 1 about b over a width w, as F′ = [(ρ − b) + √((ρ − b)² + w²)] x/2ρ with ρ² = x² + w²; at w = 0
+    The curvature rises from 0 to 1 about b over a width w, as F′ = [ρ − b + √((ρ − b)² + w²)] x/2ρ, ρ² = x² + w²; at w = 0
     it jumps.
 
     Parameters
