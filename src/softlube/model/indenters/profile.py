@@ -226,7 +226,8 @@ class Profile(IndenterPart):
     def checked(self, values: dict[str, Any]) -> dict[str, Any]:
         """The values with the smoothed profile, read from the file or taken from `spline`."""
         if values["spline"] is None:
-            pair = smoothings(*readers["profile"](values["file"]), values["tolerance"])
+            r, z = readers["profile"](values["file"])
+            pair = smoothings(r, z, values["tolerance"])
             if values["tolerance"] is None:
                 values["tolerance"] = pair[0].deviation
             values["spline"] = json.dumps([[each.reach, each.deviation, list(each.coefficients)] for each in pair])

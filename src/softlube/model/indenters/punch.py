@@ -70,7 +70,7 @@ class RoundedPunch(IndenterPart):
     kind: ClassVar[str] = "rounded-punch"
     face_radius: float = given("Radius of the flat face of a punch", LENGTH, "1 mm")
     edge_radius: float = given("Radius of curvature of the rounded edge of a punch", LENGTH, "0.5 mm")
-    blend_width: float | None = given(
+    blend_width: float = given(
         "Width over which the curvature rises at the border of the face of a punch",
         LENGTH,
         "50 um",
