@@ -118,3 +118,7 @@ def far_field_profile(theta: ArrayLike, cavitation: str = "reynolds") -> Array:
     reflected = np.abs(theta)
     wet = np.minimum(reflected, front)
     return 0.8 * (np.cos(wet) - np.cos(front) * np.cosh(3 * wet) / np.cosh(3 * front))
+
+
+LINE_LOAD = 1 / 4
+"""Load over the length of a cylinder's Hertz contact, over 4πG b²/R, with b half its width."""
