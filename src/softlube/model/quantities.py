@@ -102,6 +102,8 @@ UNITS = {
     "shear_rate": Unit("v/{0}", "1/s", -1),
     "time": Unit("3ηR/(πG {0} √({0}/R))", "s", -3 / 2),
     "volume": Unit("R {0}²", "m^3", 2),
+    "line_load": Unit("4πG {0}", "N/m", 1),
+    "line_friction": Unit("(2π/3)G {0}²/L", "N/m", 3 / 2),
     "angle": Unit("°", "°", 0),
     "number": Unit("", "", 0),
 }
@@ -246,6 +248,26 @@ SPIKE = _table(
     Definition("spike_radius", "radius of the spike", "r_s", "length"),
 )
 """Quantities of the Petrusevich spike, where a liquid that thickens with the pressure has one."""
+
+LINE = _table(
+    Definition("load", "normal load per length", "N", "line_load", exponent=0),
+    Definition("film_center", "film at the centre", "u(0)", "height", exponent=-3 / 5),
+    Definition("film_min", "minimum film", "u_min", "height", exponent=-3 / 5),
+    Definition("film_min_place", "place of the minimum film", "x_min", "length", compared_with=(1.0,), place="at x ="),
+    Definition("film_carried", "flux over the mean of the surface speeds", "u*", "height", exponent=-3 / 5),
+    Definition("free_boundary", "place of the free boundary", "x_f", "length", compared_with=(1.0,)),
+    Definition("pressure_center", "pressure at the centre", "p(0)", "pressure", exponent=0),
+    Definition("pressure_max", "maximum pressure", "p_max", "pressure", exponent=0),
+    Definition("pressure_max_place", "place of the maximum pressure", "x_p", "length", compared_with=(1.0,), place="at x ="),
+    Definition("pressure_gradient_inlet", "largest |dp/dx| at x > 0", "max |dp/dx|", "pressure_gradient", exponent=1 / 5),
+    Definition("friction_total", "total friction per length", "F", "line_friction", exponent=-2 / 5),
+    Definition("friction_shear", "shear on the cylinder per length", "F_s", "line_friction", exponent=-2 / 5),
+    Definition("friction_couette", "of it by the surface speeds", "C", "line_friction", place="by the sliding"),
+    Definition("friction_poiseuille", "of it by the pressure gradient", "P", "line_friction", place="by the pressure gradient"),
+    Definition("shear_rate_max", "maximum shear rate at the walls", "γ_max", "shear_rate", exponent=3 / 5),
+)
+"""Quantities of a line contact, in the order in which they are printed; {0} stands for b²/R, L for b, half the width of the
+dry contact under the load."""
 
 DERIVED = _table(
     Definition("indentation", "indentation", "−h₀", "height", "29"),

@@ -156,10 +156,10 @@ def measure(fields: LineFields) -> dict[str, float]:
     place, film_min = extremum(panels, fields.film_coefficients, -1)
     highest, pressure_max = extremum(panels, fields.pressure_coefficients, 1)
     _, steepest = extremum(panels, panels.coefficients(state.gradient), -1, after=-front)
-    # Beyond the mesh the film is x²/2.
+    # Beyond the mesh the film is x²/2, and the pressure 4/(3βx³).
     open_ends = [2 / (beta * abs(front + edge)) for edge in panels.edges[[0, -1]][int(equations.free_boundary) :]]
     couette = float(weights @ (viscosity / (beta * film))) + sum(open_ends)
-    poiseuille = float(weights @ (3 * film * state.gradient))
+    poiseuille = float(weights @ (3 * film * state.gradient)) - 3 * sum(open_ends)
     fluidity = equations.liquid.fluidity(pressure)[0]
     sheared = 1 / film + np.abs(3 * beta * film * fluidity * state.gradient)
     values = {

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from softlube.discretization.line.displacement import displacement
 from softlube.discretization.line.equations import LineEquations, LineState
 from softlube.discretization.line.panels import Panels
 from softlube.errors import NotConvergedError
+from softlube.model.exact import LINE_LOAD
+from softlube.model.liquids import Liquid
 from softlube.model.problem import Problem
 from softlube.solvers.newton import Iteration, newton
 
@@ -21,36 +22,38 @@ Array = NDArray[np.floating]
 
 THICK = 10.0
 """β up to which Newton's method arrives from a bump of pressure."""
-RIGID_HEIGHT = 1.633
-"""Height of a rigid cylinder under the load times β: 4.896 ηŨR/N, Martin 1916."""
+RIGID_HEIGHT = 1.632
+"""Height of a rigid cylinder under the load, times β (Martin 1916); tests/steady/line/test_march.py measures it."""
 REACH = 1e4
 """Where the mesh ends, over the width of the pressure; beyond it the pressure is 4/(3βx³)."""
 FIRST_EDGES = (0.0, 0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, *np.geomspace(10.0, REACH, 10))
-"""Edges of the first mesh, from the free boundary, over the width of the pressure."""
+"""Edges of the first mesh upstream of the free boundary, over the width of the pressure."""
+FIRST_FRONT, FIRST_FILM = -0.6, 0.5
+"""Free boundary over the width of the pressure, and least film over its square, that Newton's method starts from."""
 POINTS = 10
-"""Points on a panel."""
-STEP = math.log(10.0)
-"""First step of the continuation in ln β."""
-FIRST_RISE, SMALLEST_STEP = 2.0, 1e-2
-"""First step of the largest ln η/η₀, and smallest step of either continuation before it gives up."""
-ROUNDS = 40
-"""Times at most that panels are split where the solution is not resolved."""
-LARGEST_MESH = 200
-"""Panels at most."""
+"""Points on a panel on the way."""
 RESOLVED = 1e-5
-"""What is left of the pressure at the end of its expansion on a panel that is fine enough."""
+"""What the end of the pressure's expansion may be on a panel that is fine enough, see `unresolved`."""
 SPARE = 1e-3
-"""Part of that below which panels may be joined."""
+"""Part of that below which panels are joined."""
+ROUNDS, LARGEST_MESH = 40, 250
+"""Times at most that panels are split where the solution is not resolved, and panels at most."""
 TOLERANCE = 1e-9
-"""Of Newton's method: change of the film that the next step would make."""
+"""Of Newton's method: the largest relative change of the film that the next step would make."""
+FIRST_STEP, SHORTEST_STEP = math.log(10.0), 0.01
+"""Continuation in ln β, and in the largest ln η/η₀: the first step, and the shortest before it gives up."""
+GROWTH = 1.5
+"""Factor of the step after one that arrived; one that did not is halved."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """A solved problem on the way.
+    """A solved problem.
 
     Attributes
     ----------
+    problem : Problem
+        The one on the way that was solved.
     equations : LineEquations
         With the mesh.
     state : LineState
@@ -59,14 +62,20 @@ class Stage:
         Newton's steps on the last mesh.
     """
 
+    problem: Problem
     equations: LineEquations
     state: LineState
     history: tuple[Iteration, ...] = ()
 
+    @property
+    def panels(self) -> Panels:
+        """The mesh."""
+        return self.equations.panels
 
-def equations_for(problem: Problem, panels: Panels, near: LineState) -> LineEquations:
-    """The equations of a problem on a mesh, near a state."""
-    return LineEquations(
+
+def solve_on(problem: Problem, panels: Panels, near: LineState) -> Stage | None:
+    """Newton's method on a mesh from a state that is near; None if it does not converge."""
+    equations = LineEquations(
         panels,
         problem.parameter,
         problem.liquid,
@@ -74,115 +83,129 @@ def equations_for(problem: Problem, panels: Panels, near: LineState) -> LineEqua
         problem.cavitation == "reynolds",
         near,
     )
-
-
-def solve_on(problem: Problem, panels: Panels, near: LineState) -> Stage | None:
-    """Newton's method on a mesh from a state that is near; None if it does not converge."""
-    equations = equations_for(problem, panels, near)
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of iterates that go astray
         result = newton(equations, equations.vector(near), tolerance=TOLERANCE)
-    if not result.converged:
-        return None
-    return Stage(equations, equations.state(result.x), result.history)
+    return Stage(problem, equations, equations.state(result.x), result.history) if result.converged else None
 
 
-def transferred(panels: Panels, state: LineState, new: Panels) -> LineState:
-    """A state on another mesh."""
-    return replace(state, gradient=panels.evaluate(panels.coefficients(state.gradient), new.nodes))
+def transferred(stage: Stage, panels: Panels) -> LineState:
+    """The state of a stage on another mesh."""
+    old = stage.panels
+    return replace(stage.state, gradient=old.evaluate(old.coefficients(stage.state.gradient), panels.nodes))
 
 
 def unresolved(stage: Stage) -> Array:
-    """What the last two terms of the pressure's expansion on each panel change, over the pressure and over the film it bears."""
-    panels, gradient = stage.equations.panels, stage.state.gradient
-    left = panels.half * np.abs(panels.coefficients(gradient))[:, -2:].sum(axis=1)
+    """How much the last two terms of the expansion of p′ on each panel change the pressure, over the largest pressure, or the
+    film, over the least film.
+    """
+    panels = stage.panels
+    left = panels.half * np.abs(panels.coefficients(stage.state.gradient))[:, -2:].sum(axis=1)
     pressure = float(np.max(np.abs(stage.equations.pressure(stage.state))))
     film = float(np.min(stage.equations.film(stage.state)))
     return left * np.maximum(1 / pressure, panels.half / film)
 
 
-def resolved(problem: Problem, stage: Stage | None, tolerance: float = RESOLVED) -> Stage | None:
+def resolved(stage: Stage | None, tolerance: float = RESOLVED) -> Stage | None:
     """A stage on a mesh that resolves it, from one that need not; None if there is none."""
     for _ in range(ROUNDS):
         if stage is None:
             return None
-        panels = stage.equations.panels
         coarse = unresolved(stage) > tolerance
         if not coarse.any():
             return stage
-        if panels.number + np.count_nonzero(coarse) > LARGEST_MESH:
+        if stage.panels.number + np.count_nonzero(coarse) > LARGEST_MESH:
             return None
-        finer = panels.split(coarse)
-        stage = solve_on(problem, finer, transferred(panels, stage.state, finer))
+        finer = stage.panels.split(coarse)
+        stage = solve_on(stage.problem, finer, transferred(stage, finer))
     return None
-
-
-def thinned(stage: Stage, tolerance: float = RESOLVED) -> tuple[Panels, LineState]:
-    """Mesh and state of a stage without the panels that it does not need."""
-    panels = stage.equations.panels
-    joined = panels.joined(unresolved(stage) < SPARE * tolerance)
-    return joined, transferred(panels, stage.state, joined)
 
 
 def first(problem: Problem) -> Stage | None:
     """A thick film, from a bump of pressure."""
     width = math.sqrt(1 + 2 * RIGID_HEIGHT / problem.parameter)
     edges = width * np.array(FIRST_EDGES)
-    if problem.cavitation == "none":
-        edges = np.concatenate([-edges[:0:-1], edges])
-    panels = Panels(edges, POINTS)
+    panels = Panels(np.concatenate([-edges[:0:-1], edges]) if problem.cavitation == "none" else edges, POINTS)
     s = np.maximum(panels.nodes, 0.0) / width
     gradient = (s - s**2) * np.exp(-2 * s)
     moved = displacement(problem.substrate, panels)
-    gradient *= 0.25 / (moved.load @ gradient)
-    front = -0.6 * width
-    film = (front + moved.places) ** 2 / 2 - moved.matrix @ gradient
-    thickness = 0.5 * width**2
-    return resolved(problem, solve_on(problem, panels, LineState(gradient, thickness - np.min(film), thickness, front)))
+    gradient *= LINE_LOAD / (moved.load @ gradient)
+    front, film = FIRST_FRONT * width, FIRST_FILM * width**2
+    height = film - float(np.min((front + moved.places) ** 2 / 2 - moved.matrix @ gradient))
+    return resolved(solve_on(problem, panels, LineState(gradient, height, film, front)))
+
+
+def followed(stage: Stage, problem_at: Callable[[float], Problem], start: float, end: float, first: float) -> Iterator[Stage]:
+    """Continuation in a parameter from a stage, on meshes that follow the solution.
+
+    Parameters
+    ----------
+    stage : Stage
+        The solution at the start.
+    problem_at : callable
+        The problem at a parameter.
+    start, end : float
+        Where the parameter starts and ends, start ≤ end.
+    first : float
+        Step of the parameter to begin with.
+
+    Yields
+    ------
+    Stage
+        The last is the one at the end.
+
+    Raises
+    ------
+    NotConvergedError
+        If the steps become too short.
+    """
+    here, step = start, first
+    while here < end:
+        there = min(here + step, end)
+        problem = problem_at(there)
+        mesh = stage.panels.joined(unresolved(stage) < SPARE * RESOLVED)
+        found = resolved(solve_on(problem, mesh, transferred(stage, mesh)))
+        if found is None:
+            step = (there - here) / 2
+            if step < SHORTEST_STEP * first:
+                raise NotConvergedError(f"the continuation of the line contact ended at beta = {stage.problem.parameter:.4g}")
+            continue
+        stage, here = found, there
+        step *= GROWTH
+        yield stage
 
 
 def march(problem: Problem) -> Iterator[Stage]:
-    """Solve a thick film of constant viscosity, then thinner ones, then thicken the liquid.
+    """Solve a thick film of constant viscosity, then thinner ones, then with the liquid's viscosity.
+
+    Yields
+    ------
+    Stage
+        The last is that of the problem.
 
     Raises
     ------
     NotConvergedError
         If the way ends before the problem.
     """
-    target = math.log(problem.parameter)
-    here, share, step, rise = min(math.log(THICK), target), 0.0, STEP, 0.0
     weak = problem.liquid.weakened(0.0)
 
-    def at(place: float, part: float) -> Problem:
-        liquid = problem.liquid if part == 1 else problem.liquid.weakened(part) if part else weak
-        return replace(problem, beta_load=math.exp(place) if place < target else problem.parameter, liquid=liquid)
+    def at(logarithm: float, liquid: Liquid = weak) -> Problem:
+        beta = problem.parameter if logarithm >= target else math.exp(logarithm)
+        return replace(problem, beta_load=beta, liquid=liquid)
 
-    stage = first(at(here, 0.0))
+    target = math.log(problem.parameter)
+    start = min(math.log(THICK), target)
+    stage = first(at(start))
     if stage is None:
-        raise NotConvergedError("Newton's method found no first solution; report the input.")
+        raise NotConvergedError("no first solution of the line contact was found; report the input.")
     yield stage
-    if weak == problem.liquid:
-        share = 1.0
-    rise = 0.0
-    while here < target or share < 1:
-        if here < target:
-            there, part = min(here + step, target), share if share == 1 else 0.0
-        else:
-            if not rise:
-                highest = np.max(stage.equations.pressure(stage.state))
-                rise = min(1.0, FIRST_RISE / max(float(np.log(problem.liquid.viscosity(np.array([highest]))[0])), 1e-9))
-            there, part = here, min(share + rise, 1.0)
-        new = at(there, part)
-        found = resolved(new, solve_on(new, *thinned(stage)))
-        if found is None:
-            if here < target:
-                step = (there - here) / 2
-            else:
-                rise = (part - share) / 2
-            if max(step, rise) < SMALLEST_STEP or (here >= target and rise < 1e-3):
-                raise NotConvergedError("no way to the solution")
-            continue
-        stage, here = found, there
-        if there >= target and part:
-            share = part
-            rise *= 1.5
+    for stage in followed(stage, at, start, target, FIRST_STEP):
         yield stage
+    if weak == problem.liquid:
+        return
+    highest = np.array([np.max(stage.equations.pressure(stage.state))])
+    rise = float(np.log(problem.liquid.viscosity(highest))[0])
+    share = min(1.0, FIRST_STEP / max(rise, FIRST_STEP))
+    yield from followed(
+        stage, lambda part: at(target, problem.liquid if part >= 1 else problem.liquid.weakened(part)), 0.0, 1.0, share
+    )
