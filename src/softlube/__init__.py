@@ -41,7 +41,9 @@ if TYPE_CHECKING:
     from softlube.model.problem import Problem
     from softlube.model.quantities import Quantity
     from softlube.model.substrates import HalfSpace, Layer, StandardLinearSolid, Viscoelastic
+    from softlube.physical import line
     from softlube.physical.contact import Contact
+    from softlube.physical.line import LineContact
     from softlube.physical.rig import Rig
     from softlube.physical.squeeze import History
     from softlube.readout import flow, free_boundary, friction
@@ -61,6 +63,7 @@ _NAMES = {
     "Fit": "experiments.fit",
     "History": "physical.squeeze",
     "InputError": "errors",
+    "LineContact": "physical.line",
     "Measurements": "experiments.measurements",
     "NotConvergedError": "errors",
     "Problem": "model.problem",
@@ -92,6 +95,7 @@ _MODULES = {
     "friction": "readout.friction",
     "inlet": "theory.inlet",
     "limits": "theory.limits",
+    "line": "physical.line",
     "liquids": "model.liquids",
     "scaling": "theory.scaling",
     "side": "theory.side",
@@ -113,6 +117,7 @@ __all__ = [
     "InputError",
     "Layer",
     "LimitingStress",
+    "LineContact",
     "Measurements",
     "Newtonian",
     "NotConvergedError",
@@ -147,6 +152,7 @@ __all__ = [
     "friction",
     "inlet",
     "limits",
+    "line",
     "liquids",
     "load",
     "read_history",

@@ -261,6 +261,8 @@ LINE = _table(
     Definition("pressure_max_place", "place of the maximum pressure", "x_p", "length", compared_with=(1.0,), place="at x ="),
     Definition("pressure_gradient_inlet", "largest |dp/dx| at x > 0", "max |dp/dx|", "pressure_gradient", exponent=1 / 5),
     Definition("friction_total", "total friction per length", "F", "line_friction", exponent=-2 / 5),
+    Definition("friction_hysteresis", "by the substrate", "F_h", "line_friction", place="by the substrate"),
+    Definition("friction_viscous", "by the liquid", "F_v", "line_friction", place="by the liquid"),
     Definition("friction_shear", "shear on the cylinder per length", "F_s", "line_friction", exponent=-2 / 5),
     Definition("friction_couette", "of it by the surface speeds", "C", "line_friction", place="by the sliding"),
     Definition("friction_poiseuille", "of it by the pressure gradient", "P", "line_friction", place="by the pressure gradient"),

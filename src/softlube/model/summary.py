@@ -194,7 +194,7 @@ def rounded(value: float, error: float) -> tuple[str, str]:
 def engineering(quantity: Quantity) -> tuple[str, str, str]:
     """Value, error and unit of an SI quantity with the prefix that suits it."""
     value, unit, factor = float(quantity), quantity.unit, 1.0
-    if unit in ("m", "N", "Pa", "Pa/m") and not math.isnan(value):
+    if unit in ("m", "N", "N/m", "Pa", "Pa/m") and not math.isnan(value):
         factor, unit = prefixed(value, unit)
     return *rounded(value * factor, quantity.error * factor), unit
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,20 +18,18 @@ from softlube.model.indenters import Sphere
 from softlube.model.inputs import exactly_one, read
 from softlube.model.liquids.newtonian import NewtonianLaw
 from softlube.model.motions import FIXED_BALL, SteadyMotion
-from softlube.model.parts import Part, resolve
-from softlube.model.prefixes import shown
+from softlube.model.parts import resolve
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.model.substrates.half_space import HalfSpace
 from softlube.model.substrates.layer import LayerKernel
-from softlube.model.summary import Summarised, Summary
-from softlube.physical.inputs import BODIES, SLIDING_BODIES, Loading, Taking, check_names, declared, documented
+from softlube.physical.described import Described
+from softlube.physical.inputs import BODIES, SLIDING_BODIES, Loading, Taking, check_names, documented
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
     LARGEST_SLOPE,
     LARGEST_TRACTION,
     NEWTONIAN_STRESS,
-    Materials,
     dry_effect,
     layer_doubt,
 )
@@ -42,9 +40,6 @@ from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
-
-if TYPE_CHECKING:
-    import pandas
 
 TOO_WIDE = (
     "{name}: makes a contact of radius {share:.2g} R, wider than the sphere; the model is for contacts up to about {largest:g} "
@@ -70,7 +65,7 @@ LIMITING_STRESS = (
 
 @documented(SLIDING_BODIES, Loading)
 @dataclass(frozen=True, init=False, repr=False)
-class Contact(Materials, Summarised):
+class Contact(Described):
     """A sphere that slides or rolls over a substrate with a viscous film between; either of them elastic, or both.
 
     Parts are given as objects, or by their inputs, from which they follow: a thickness makes the substrate a layer, a
@@ -133,63 +128,7 @@ class Contact(Materials, Summarised):
         exactly_one({name: given.get(name) for name in ("load", "indentation")}, Loading.inputs)
         vars(self).update(read(Loading.inputs, given))
 
-    # --- what it shows of itself --------------------------------------------------------------------------------------
-
-    @property
-    def given(self) -> dict[str, float | str]:
-        """Its inputs in SI by their names, without those that are absent, have their default, or follow from the others."""
-        known = declared()
-        found = {name: value for name, value in self.inputs().items() if value is not None and value != known[name].default}
-        for part in vars(self).values():
-            if isinstance(part, Part) and part.selector in found:
-                others = {name: value for name, value in found.items() if name != part.selector}
-                try:
-                    if resolve([part.slot], others)[part.slot] == part:
-                        found = others
-                except InputError:  # several kinds have these inputs
-                    continue
-        return found
-
-    def __repr__(self) -> str:
-        known = declared()
-        texts = ", ".join(f"{name}={_written(value, known[name].unit)!r}" for name, value in self.given.items())
-        return f"{type(self).__name__}({texts})"
-
-    @property
-    def headline(self) -> str:
-        """What slides or rolls over what."""
-        return f"Contact: {self.indenter.kind} on {self.substrate.kind}, {self.liquid.kind} liquid, {self.motion.kind}"
-
-    def summary(self) -> Summary:
-        """Every input that is given, with its SI unit and a prefix."""
-        known = declared()
-        rows = [(name, str(_written(value, known[name].unit)), known[name].title) for name, value in self.given.items()]
-        return Summary(self.headline, ("input", "value", "words"), tuple(rows))
-
-    def to_dataframe(self) -> pandas.DataFrame:
-        """A row for each input that is given, by its name: value in SI, unit and words."""
-        import pandas as pd
-
-        known = declared()
-        rows = [(value, known[name].unit, known[name].title) for name, value in self.given.items()]
-        return pd.DataFrame(rows, index=pd.Index(list(self.given), name="input"), columns=["value", "unit", "words"])
-
     # --- from SI to the dimensionless problem -----------------------------------------------------------------------
-
-    @property
-    def speed_sum(self) -> float:
-        """Sum of the surface speeds [m/s]: v in Reynolds' equation, the speed of a ball that slides without turning."""
-        return self.motion.speed_sum
-
-    @property
-    def substrate_speed(self) -> float:
-        """Speed of the substrate's surface, seen from the contact [m/s]."""
-        return self.motion.substrate_speed
-
-    @property
-    def slide_to_roll(self) -> float:
-        """Difference of the surface speeds over their mean, see `softlube.Rolling`; 2 for sliding."""
-        return self.motion.slide_to_roll
 
     @property
     def unit_height(self) -> float:
@@ -377,19 +316,3 @@ class Contact(Materials, Summarised):
                 if np.isfinite(ours):
                     changes[text] = ours / theirs - 1, ours.error / abs(ours) + theirs.error / abs(theirs)
         return layer_doubt(dry, substrate, changes)
-
-    @classmethod
-    def from_inputs(cls, inputs: Mapping[str, Any]) -> Contact:
-        """Inverse of `inputs`; takes those of earlier versions, too, which name every input of parts that are not there.
-
-        Raises
-        ------
-        InputError
-            If there is an input that no part has.
-        """
-        return cls(**{name: value for name, value in inputs.items() if value is not None})
-
-
-def _written(value: float | str, unit: str) -> float | str:
-    """An input as it can be given again: text with a unit, a plain number, or a text."""
-    return shown(value, unit) if unit and not isinstance(value, str) else value

@@ -16,8 +16,10 @@ from softlube.model.quantities import FIELDS, QUANTITIES
 from softlube.model.substrates import HalfSpaceKernel
 from softlube.physical.roughness import FULL_FILM
 from softlube.plots.axes import label_logarithmic
+from softlube.plots.line import draw
 from softlube.plots.spike import INNERMOST, Ridge, ridge
 from softlube.steady.regime import Regime
+from softlube.steady.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,7 +27,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from softlube.experiments.adaptive import Interpolant
-    from softlube.steady.solution import Solution
+    from softlube.steady.line.solution import LineSolution
     from softlube.theory.master_curve import Curve
 
 MAP_RADIUS, PROFILE_RADIUS = 1.4, 2.0
@@ -131,8 +133,8 @@ def _dry(solution: Solution) -> DryContact | None:
     return Regime.of(solution.problem).dry if _width(solution) == 1 else None
 
 
-def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figure:
-    """Maps of film and pressure, and their profiles in the two mid-planes.
+def plot(solution: Solution | LineSolution, path: str | os.PathLike[str] | None = None) -> Figure:
+    """Maps of film and pressure, and their profiles in the two mid-planes; of a line contact its profile.
 
     The inlet is on the right, as in the paper: the sphere slides in the direction +x.  Dashed circle and dotted line: the dry
     contact on the substrate; crosses: the minimum film.  The colours of a pressure with a spike end at the pressure in the
@@ -140,7 +142,7 @@ def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figu
 
     Parameters
     ----------
-    solution : Solution
+    solution : Solution or LineSolution
         Physical or dimensionless; the axes follow.
     path : path-like, optional
         Where to write the picture; its ending (.png, .pdf, .svg) gives the format.
@@ -154,15 +156,18 @@ def plot(solution: Solution, path: str | os.PathLike[str] | None = None) -> Figu
     from matplotlib.figure import Figure
 
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(6.9, 5.6), layout="constrained")
+        figure = Figure(figsize=(6.9, 5.6) if isinstance(solution, Solution) else (4.2, 2.8), layout="constrained")
         FigureCanvasAgg(figure)
-        axes = figure.subplots(2, 2, height_ratios=(1.35, 1))
-        _map(axes[0, 0], solution, "film")
-        _map(axes[0, 1], solution, "pressure")
-        _profile(axes[1, 0], solution, "x")
-        _profile(axes[1, 1], solution, "y")
-        for label, ax in zip("abcd", axes.flat, strict=True):
-            ax.set_title(f"({label})", loc="left")
+        if isinstance(solution, Solution):
+            axes = figure.subplots(2, 2, height_ratios=(1.35, 1))
+            _map(axes[0, 0], solution, "film")
+            _map(axes[0, 1], solution, "pressure")
+            _profile(axes[1, 0], solution, "x")
+            _profile(axes[1, 1], solution, "y")
+            for label, ax in zip("abcd", axes.flat, strict=True):
+                ax.set_title(f"({label})", loc="left")
+        else:
+            draw(solution, figure.subplots(), FILM_COLOUR, PRESSURE_COLOUR)
         name = r"\beta_N" if solution.problem.load_controlled else r"\beta"
         figure.suptitle(rf"${name}$ = {solution.problem.parameter:.4g}", fontsize=9)
         if path is not None:

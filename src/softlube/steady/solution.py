@@ -66,8 +66,52 @@ class PhysicalContact(Protocol):
         ...
 
 
+class Answer(Summarised):
+    """What every solution has: quantities as attributes, warnings in what it says of itself, a picture.
+
+    Attributes
+    ----------
+    quantities, dimensional : mapping of str to Quantity
+        Normalised, and in SI if the input was physical.
+    warnings : tuple of str
+        Doubts about the physics of the input.
+    """
+
+    quantities: Mapping[str, Quantity]
+    dimensional: Mapping[str, Quantity]
+    warnings: tuple[str, ...]
+
+    def __getattr__(self, name: str) -> Quantity:
+        if not name.startswith("_") and name in self.__dict__.get("quantities", {}):
+            return self.quantities[name]
+        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.quantities})
+
+    def __repr__(self) -> str:
+        return super().__repr__() + "".join(f"\n  Warning: {doubt}." for doubt in self.warnings)
+
+    def plain_quantities(self) -> dict[str, Any]:
+        """Quantities and warnings ready for JSON."""
+
+        def plain(quantities: Mapping[str, Quantity], unit: bool) -> dict[str, dict[str, Any]]:
+            return {name: q.plain() | ({"unit": q.unit} if unit else {}) for name, q in quantities.items()}
+
+        result: dict[str, Any] = {"quantities": plain(self.quantities, unit=False)}
+        if self.dimensional:
+            result["dimensional"] = plain(self.dimensional, unit=True)
+        return result | {"warnings": list(self.warnings)}
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
+        """Film and pressure: profiles and, under a sphere, maps; written to `path` if given (PNG, PDF, SVG by its ending)."""
+        from softlube.plots.solution import plot
+
+        return plot(self, path)  # type: ignore[arg-type]
+
+
 @dataclass(frozen=True, repr=False)
-class Solution(Summarised):
+class Solution(Answer):
     """What `softlube.solve` returns.
 
     Quantities are attributes: ``solution.film_min`` is a float with an ``.error``; ``solution.quantities`` has them all, and
@@ -141,17 +185,6 @@ class Solution(Summarised):
             )
         return quantities
 
-    def __getattr__(self, name: str) -> Quantity:
-        if not name.startswith("_") and name in self.__dict__.get("quantities", {}):
-            return self.quantities[name]
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self.quantities})
-
-    def __repr__(self) -> str:
-        return super().__repr__() + "".join(f"\n  Warning: {doubt}." for doubt in self.warnings)
-
     @property
     def headline(self) -> str:
         """β and the quantities that are asked for most, in SI if the input was physical."""
@@ -192,30 +225,16 @@ class Solution(Summarised):
 
     def to_dict(self) -> dict[str, Any]:
         """Numbers only, ready for JSON."""
-
-        def plain(quantities: Mapping[str, Quantity], unit: bool) -> dict[str, dict[str, Any]]:
-            return {name: q.plain() | ({"unit": q.unit} if unit else {}) for name, q in quantities.items()}
-
-        result = {
+        return {
             "beta": self.beta,
             "beta_load": self.beta_load,
             "cavitation": self.problem.cavitation,
             "accuracy": self.accuracy if np.isfinite(self.accuracy) else None,
             "method": self.method,
-            "quantities": plain(self.quantities, unit=False),
-        }
-        if self.contact is not None:
-            result["dimensional"] = plain(self.dimensional, unit=True)
-        return result | {"warnings": list(self.warnings)}
+        } | self.plain_quantities()
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write everything to a NetCDF file, whole or not at all; `softlube.load` reads it back."""
         from softlube.files.netcdf import save
 
         save(self, path)
-
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
-        """Film and pressure maps and mid-plane profiles; written to `path` if given (PNG, PDF, SVG by its ending)."""
-        from softlube.plots.solution import plot
-
-        return plot(self, path)

@@ -7,7 +7,9 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import hyperu
 
+from softlube.discretization.line.memory import remembered
 from softlube.discretization.line.panels import Panels
 from softlube.discretization.line.potential import log_potential
 from softlube.model.substrates import Substrate
@@ -79,7 +81,8 @@ def displacement(substrate: Substrate, panels: Panels) -> Displacement:
 def surface(substrate: Substrate, loaded: Panels, targets: Panels) -> Array:
     """Displacement of a substrate's surface on a mesh that may reach further downstream than the pressure.
 
-    The half-plane's is 2∫ p(s′) ln|s − s′| ds′, up to a constant that depends on the unit of length alone.
+    The half-plane's is 2∫ p(s′) ln|s − s′| ds′, up to a constant that depends on the unit of length alone.  A substrate that
+    remembers has J₀ times it, and Jᵢ times what `softlube.discretization.line.memory` makes of it.
 
     Parameters
     ----------
@@ -95,4 +98,21 @@ def surface(substrate: Substrate, loaded: Panels, targets: Panels) -> Array:
     ndarray, shape (targets.size + 1, loaded.number, loaded.points + 1)
         From Legendre coefficients of the pressure to w at `rows_of` the targets.
     """
-    return 2 * log_potential(loaded, rows_of(targets), loaded.points)
+    places = np.append(rows_of(targets), loaded.edges[-1])
+    elastic = 2 * log_potential(loaded, places, loaded.points)
+    memory = substrate.memory
+    if memory is None:
+        return elastic[:-1]
+    shape = (targets.size + 1, loaded.number, loaded.points + 1)
+    convolution, result = np.zeros((targets.size + 1, targets.size)), memory.instantaneous * elastic[:-1]
+    for share, length in zip(memory.shares, memory.lengths, strict=True):
+        if length == 0:
+            result += share * elastic[:-1]
+            continue
+        matrix, left = remembered(targets, length)
+        convolution += share * matrix
+        # Upstream of the mesh the elastic displacement rises by 2 ln of the distance, times the load.
+        ahead = elastic[-1].copy()
+        ahead[:, 0] += 4 * loaded.half * hyperu(1, 1, loaded.edges[-1] / length)
+        result += share * left[:, None, None] * ahead
+    return result + (convolution @ elastic[: targets.size].reshape(targets.size, -1)).reshape(shape)

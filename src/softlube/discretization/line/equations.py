@@ -22,10 +22,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.discretization.line.displacement import Displacement
+from softlube.discretization.line.displacement import Displacement, displacement
 from softlube.discretization.line.panels import Panels
 from softlube.model.exact import LINE_LOAD
-from softlube.model.liquids import Liquid
+from softlube.model.problem import Problem
 from softlube.solvers.newton import DenseEquation
 
 Array = NDArray[np.floating]
@@ -62,26 +62,32 @@ class LineEquations:
 
     Parameters
     ----------
+    problem : Problem
+        A load that is prescribed, and the laws of substrate and liquid.
     panels : Panels
-        The mesh; its downstream end is s = 0, or far downstream.
-    beta : float
-        β of Eq. (6d) formed with b²/R.
-    liquid : Liquid
-        Laws of viscosity and density.
-    displacement : Displacement
-        Of the substrate, on the same mesh.
-    free_boundary : bool
-        Whether the downstream end is a free boundary to be found.
+        The mesh; its downstream end is the free boundary at s = 0, or far downstream.
     scale : LineState
         A state that is near, for the size of the unknowns.
     """
 
+    problem: Problem
     panels: Panels
-    beta: float
-    liquid: Liquid
-    displacement: Displacement
-    free_boundary: bool
     scale: LineState
+
+    @property
+    def beta(self) -> float:
+        """β of Eq. (6d) formed with b²/R."""
+        return self.problem.parameter
+
+    @property
+    def free_boundary(self) -> bool:
+        """Whether the downstream end is a free boundary to be found."""
+        return self.problem.cavitation == "reynolds"
+
+    @cached_property
+    def displacement(self) -> Displacement:
+        """Of the substrate, on the mesh."""
+        return displacement(self.problem.substrate, self.panels)
 
     @property
     def constrained(self) -> NDArray[np.bool_]:
@@ -131,8 +137,8 @@ class LineEquations:
         state, n = self.state(vector), self.panels.size
         film, pressure, gradient = self.film(state), self.pressure(state), state.gradient
         u, x = film[:-1], state.front + self.displacement.places
-        fluidity, fluidity_slope = self.liquid.fluidity(pressure)
-        density, density_slope = self.liquid.density(pressure)
+        fluidity, fluidity_slope = self.problem.liquid.fluidity(pressure)
+        density, density_slope = self.problem.liquid.density(pressure)
         mobility = self.beta * u**3 * fluidity
         ends, loading = self.ends(state.front), self.displacement
         matrix = np.zeros((n + 3, n + 3))

@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 from softlube.discretization.line.displacement import surface
 from softlube.discretization.line.equations import LineEquations, LineState
 from softlube.discretization.line.panels import Panels
-from softlube.model.substrates import Substrate
 
 Array = NDArray[np.floating]
 
@@ -89,13 +88,11 @@ class LineFields:
         values = self.panels.evaluate(coefficients, np.where(inside, s, self.panels.edges[0]).ravel()).reshape(s.shape)
         return np.where(inside, values, beyond)
 
-    def opening(self, substrate: Substrate, places: Array) -> tuple[Array, Array]:
+    def opening(self, places: Array) -> tuple[Array, Array]:
         """The gap behind the free boundary, which the liquid fills in part.
 
         Parameters
         ----------
-        substrate : Substrate
-            That of the equations.
         places : ndarray
             Ends of panels behind the free boundary, distances from it, ascending.
 
@@ -104,7 +101,7 @@ class LineFields:
         x, gap : ndarray
         """
         behind = Panels(np.append(-places[::-1], self.panels.edges), self.panels.points)
-        rows = surface(substrate, self.panels, behind)[: places.size * self.panels.points]
+        rows = surface(self.equations.problem.substrate, self.panels, behind)[: places.size * self.panels.points]
         x = self.front + behind.nodes[: len(rows)]
         moved = self.panels.through_integration(rows) @ self.state.gradient
         moved += self.panels.of_ends(rows) @ self.equations.ends(self.front)
@@ -152,7 +149,7 @@ def measure(fields: LineFields) -> dict[str, float]:
     """
     panels, equations, state = fields.panels, fields.equations, fields.state
     film, pressure, front, beta = fields.film, fields.pressure, fields.front, equations.beta
-    weights, viscosity = panels.weights, equations.liquid.viscosity(pressure)
+    weights, viscosity = panels.weights, equations.problem.liquid.viscosity(pressure)
     place, film_min = extremum(panels, fields.film_coefficients, -1)
     highest, pressure_max = extremum(panels, fields.pressure_coefficients, 1)
     _, steepest = extremum(panels, panels.coefficients(state.gradient), -1, after=-front)
@@ -160,8 +157,12 @@ def measure(fields: LineFields) -> dict[str, float]:
     open_ends = [2 / (beta * abs(front + edge)) for edge in panels.edges[[0, -1]][int(equations.free_boundary) :]]
     couette = float(weights @ (viscosity / (beta * film))) + sum(open_ends)
     poiseuille = float(weights @ (3 * film * state.gradient)) - 3 * sum(open_ends)
-    fluidity = equations.liquid.fluidity(pressure)[0]
+    # ∫ p ∂w/∂x dx by parts, with the pressure 0 at both ends.
+    displacement = fields.x**2 / 2 - film
+    hysteresis = -6 * float(weights @ ((displacement - np.max(displacement)) * state.gradient))
+    fluidity = equations.problem.liquid.fluidity(pressure)[0]
     sheared = 1 / film + np.abs(3 * beta * film * fluidity * state.gradient)
+    remembers = equations.problem.substrate.memory is not None
     values = {
         "load": float(
             equations.displacement.load @ state.gradient
@@ -176,10 +177,15 @@ def measure(fields: LineFields) -> dict[str, float]:
         "pressure_max": pressure_max,
         "pressure_max_place": front + highest,
         "pressure_gradient_inlet": -steepest,
-        "friction_total": couette - poiseuille,
+        "friction_total": couette - poiseuille + (hysteresis if remembers else 0.0),
+        "friction_viscous": couette - poiseuille,
         "friction_shear": couette + poiseuille,
         "friction_couette": couette,
         "friction_poiseuille": poiseuille,
         "shear_rate_max": extremum(panels, panels.coefficients(sheared), 1)[1],
     }
-    return values | ({"free_boundary": front} if equations.free_boundary else {})
+    if remembers:
+        values["friction_hysteresis"] = hysteresis
+    if equations.free_boundary:
+        values["free_boundary"] = front
+    return values

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import numpy as np
-
 from softlube.discretization.line.measure import LineFields, measure
 from softlube.errors import NotConvergedError
 from softlube.model.problem import Problem
@@ -25,10 +23,9 @@ ROUND_OFF = 1e-10
 def errors_of(levels: Sequence[Mapping[str, float]]) -> dict[str, float]:
     """Absolute errors of the quantities on the last of the nested meshes."""
     values = levels[-1]
-    return {
-        name: 0.0 if name == "load" else max(error_of([level[name] for level in levels], LADDER), ROUND_OFF * LINE[name].size(values))
-        for name in values
-    }
+    least = {name: ROUND_OFF * LINE[name].size(values) for name in values}
+    told = {name: max(error_of([level[name] for level in levels], LADDER), least[name]) for name in values}
+    return told | {"load": 0.0}
 
 
 def solve_on_ladder(problem: Problem, accuracy: float, progress: Listener | None = None) -> tuple[Stage, dict[str, Quantity]]:
@@ -63,7 +60,7 @@ def solve_on_ladder(problem: Problem, accuracy: float, progress: Listener | None
         left = {
             name: error / LINE[name].size(levels[-1])
             for name, error in errors.items()
-            if not LINE[name].place and not error <= accuracy * LINE[name].size(levels[-1])
+            if error > accuracy * LINE[name].size(levels[-1]) and not LINE[name].place
         }
         if not left:
             return finer, {name: Quantity(value, errors[name]) for name, value in levels[-1].items()}

@@ -22,6 +22,8 @@ Array = NDArray[np.floating]
 
 THICK = 10.0
 """β up to which Newton's method arrives from a bump of pressure."""
+THINNEST_START = 1e-4
+"""β down to which it is tried before it gives up."""
 RIGID_HEIGHT = 1.632
 """Height of a rigid cylinder under the load, times β (Martin 1916); tests/steady/line/test_march.py measures it."""
 REACH = 1e4
@@ -52,20 +54,22 @@ class Stage:
 
     Attributes
     ----------
-    problem : Problem
-        The one on the way that was solved.
     equations : LineEquations
-        With the mesh.
+        With the problem on the way and the mesh.
     state : LineState
         The solution.
     history : tuple of Iteration
         Newton's steps on the last mesh.
     """
 
-    problem: Problem
     equations: LineEquations
     state: LineState
     history: tuple[Iteration, ...] = ()
+
+    @property
+    def problem(self) -> Problem:
+        """What was solved."""
+        return self.equations.problem
 
     @property
     def panels(self) -> Panels:
@@ -75,17 +79,10 @@ class Stage:
 
 def solve_on(problem: Problem, panels: Panels, near: LineState) -> Stage | None:
     """Newton's method on a mesh from a state that is near; None if it does not converge."""
-    equations = LineEquations(
-        panels,
-        problem.parameter,
-        problem.liquid,
-        displacement(problem.substrate, panels),
-        problem.cavitation == "reynolds",
-        near,
-    )
+    equations = LineEquations(problem, panels, near)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of iterates that go astray
         result = newton(equations, equations.vector(near), tolerance=TOLERANCE)
-    return Stage(problem, equations, equations.state(result.x), result.history) if result.converged else None
+    return Stage(equations, equations.state(result.x), result.history) if result.converged else None
 
 
 def transferred(stage: Stage, panels: Panels) -> LineState:
@@ -122,7 +119,7 @@ def resolved(stage: Stage | None, tolerance: float = RESOLVED) -> Stage | None:
 
 def first(problem: Problem) -> Stage | None:
     """A thick film, from a bump of pressure."""
-    width = math.sqrt(1 + 2 * RIGID_HEIGHT / problem.parameter)
+    width = math.sqrt(problem.substrate.compliance(1.0) + 2 * RIGID_HEIGHT / problem.parameter)
     edges = width * np.array(FIRST_EDGES)
     panels = Panels(np.concatenate([-edges[:0:-1], edges]) if problem.cavitation == "none" else edges, POINTS)
     s = np.maximum(panels.nodes, 0.0) / width
@@ -194,12 +191,16 @@ def march(problem: Problem) -> Iterator[Stage]:
         return replace(problem, beta_load=beta, liquid=liquid)
 
     target = math.log(problem.parameter)
-    start = min(math.log(THICK), target)
+    start = min(math.log(THICK / problem.substrate.compliance(1.0)), target)
     stage = first(at(start))
+    while stage is None and start > math.log(THINNEST_START):
+        start -= FIRST_STEP
+        stage = first(at(start))
     if stage is None:
         raise NotConvergedError("no first solution of the line contact was found; report the input.")
     yield stage
-    for stage in followed(stage, at, start, target, FIRST_STEP):
+    for thinner in followed(stage, at, start, target, FIRST_STEP):
+        stage = thinner
         yield stage
     if weak == problem.liquid:
         return
