@@ -37,6 +37,14 @@ app.command(
     Give --radius, --viscosity, --speed or --entrainment-speed, one of --young-modulus and --shear-modulus, and one of --load
     and --indentation; or --beta (or --beta-load) alone for the dimensionless problem.""",
 )
+app.command(
+    "softlube.cli.line:line",
+    name="line",
+    help="""Solve one line contact, a cylinder under a load per length, and print film, pressure and friction.
+
+    Give --radius, --viscosity, --speed or --entrainment-speed, one of --young-modulus and --shear-modulus, and
+    --load-per-length; or --beta-load alone for the dimensionless problem.""",
+)
 app.command("softlube.cli.sweep:sweep", name="sweep", help="Solve many contacts or squeeze films; every finished one is kept.")
 app.command("softlube.cli.stribeck:stribeck", name="stribeck", help="Film and friction against speed and Hersey number.")
 app.command("softlube.cli.fit:fit", name="fit", help="Fit viscosity, modulus or offset to measured friction.")

@@ -33,9 +33,8 @@ class Cylinder(Part):
     def checked(self, values: dict[str, Any]) -> dict[str, Any]:
         """The values; a Poisson's ratio means nothing for a rigid cylinder."""
         if values["young_modulus"] is None and values["poisson_ratio"] != type(self).inputs["poisson_ratio"].default:
-            raise InputError(
-                "cylinder_poisson_ratio, cylinder_young_modulus: the first means nothing without the second; give both or neither"
-            )
+            names = "cylinder_poisson_ratio, cylinder_young_modulus"
+            raise InputError(f"{names}: the first means nothing without the second; give both or neither")
         return values
 
     @property

@@ -271,6 +271,13 @@ LINE = _table(
 """Quantities of a line contact, in the order in which they are printed; {0} stands for b²/R, L for b, half the width of the
 dry contact under the load."""
 
+LINE_DERIVED = _table(
+    Definition("contact_half_width", "half the width of the dry contact", "b", "length"),
+    Definition("friction_coefficient", "friction coefficient", "F/N", "number"),
+    Definition("lambda_ratio", "minimum film over roughness", "λ", "number"),
+)
+"""Quantities that only a line contact in SI has."""
+
 DERIVED = _table(
     Definition("indentation", "indentation", "−h₀", "height", "29"),
     Definition("contact_radius", "radius of the dry contact", "a", "length", "4"),

@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 class Described(Materials, Summarised):
     """Bodies and a liquid that move steadily, described by the inputs that are given."""
 
-    motion: SteadyMotion
+    if TYPE_CHECKING:
+
+        @property
+        def motion(self) -> SteadyMotion: ...
 
     @property
     def given(self) -> dict[str, float | str]:

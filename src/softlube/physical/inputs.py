@@ -10,8 +10,8 @@ from inspect import Parameter, Signature, signature
 from typing import Any, TypeVar, get_args
 
 from softlube.errors import InputError
-from softlube.model import indenters, liquids, motions, substrates
-from softlube.model.inputs import FORCE, LENGTH, SPEED, TIME, Declaring, Input, given
+from softlube.model import cylinders, indenters, liquids, motions, substrates
+from softlube.model.inputs import FORCE, LENGTH, LINE_LOAD, SPEED, TIME, Declaring, Input, given
 from softlube.model.inputs import declared as declared
 from softlube.model.parts import vocabulary
 from softlube.model.problem import Cavitation
@@ -22,6 +22,8 @@ BODIES = (indenters.IndenterPart.slot, substrates.SubstratePart.slot, liquids.Li
 """Slots of what there is, moving or not."""
 SLIDING_BODIES = (*BODIES, motions.SteadyMotion.slot)
 """Slots of a contact that slides."""
+SLIDING_LINE = (cylinders.Cylinder.slot, *SLIDING_BODIES[1:])
+"""Slots of a line contact that slides."""
 
 
 class Loading(Declaring):
@@ -38,6 +40,14 @@ class Loading(Declaring):
     )
     roughness = given("Roughness height; a film below it is warned of", LENGTH, "20 nm", default=None)
     cavitation = given("Cavitation: no negative pressure, or any", default="reynolds", choices=get_args(Cavitation))
+
+
+class LineLoading(Declaring):
+    """How a cylinder that slides steadily is loaded."""
+
+    load_per_length = given("Normal load per length of the cylinder", LINE_LOAD, "5 N/mm")
+    roughness = Loading.roughness
+    cavitation = Loading.cavitation
 
 
 class Approach(Declaring):

@@ -13,16 +13,14 @@ from typing import Any
 
 from softlube.errors import InputError, warn
 from softlube.model.cylinders import Cylinder
-from softlube.model.inputs import LINE_LOAD, Declaring, given, read
-from softlube.model.liquids import DensityPart, LiquidPart
+from softlube.model.inputs import read
 from softlube.model.motions import FIXED_BALL, SteadyMotion
 from softlube.model.parts import resolve
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import LINE, Quantity
-from softlube.model.substrates import SubstratePart
 from softlube.physical.contact import INERTIA, LIMITING_STRESS, ROUGH, TOO_WIDE, WIDE
 from softlube.physical.described import Described
-from softlube.physical.inputs import Loading, Taking, check_names, documented
+from softlube.physical.inputs import SLIDING_LINE, LineLoading, Taking, check_names, documented
 from softlube.physical.materials import LARGEST_FILM_REYNOLDS, LARGEST_SLOPE, LARGEST_TRACTION, NEWTONIAN_STRESS
 from softlube.physical.roughness import FULL_FILM, lambda_ratio, lubrication
 from softlube.solvers.budget import DEFAULT_BUDGET
@@ -33,21 +31,8 @@ from softlube.steady.line.solve import DEFAULT_ACCURACY, solve, solve_problem
 
 __all__ = ["Cylinder", "LineContact", "LineSolution", "solve"]
 
-LINE_BODIES = (Cylinder.slot, SubstratePart.slot, LiquidPart.slot, DensityPart.slot)
-"""Slots of what there is."""
-LINE_SLOTS = (*LINE_BODIES, SteadyMotion.slot)
-"""Slots of a line contact."""
 
-
-class LineLoading(Declaring):
-    """How a cylinder that slides steadily is loaded."""
-
-    load_per_length = given("Normal load per length of the cylinder", LINE_LOAD, "5 N/mm")
-    roughness = Loading.roughness
-    cavitation = Loading.cavitation
-
-
-@documented(LINE_SLOTS, LineLoading)
+@documented(SLIDING_LINE, LineLoading)
 @dataclass(frozen=True, init=False, repr=False)
 class LineContact(Described):
     """A cylinder that slides or rolls over a substrate with a viscous film between; either of them elastic, or both.
@@ -90,11 +75,11 @@ class LineContact(Described):
     cavitation: Cavitation
     roughness: float | None
 
-    __signature__ = Taking(LINE_SLOTS, LineLoading)
+    __signature__ = Taking(SLIDING_LINE, LineLoading)
 
     def __init__(self, **given: Any) -> None:
-        check_names(given, LINE_SLOTS, LineLoading)
-        parts = resolve(LINE_SLOTS, given)
+        check_names(given, SLIDING_LINE, LineLoading)
+        parts = resolve(SLIDING_LINE, given)
         vars(self).update({"indenter" if name == Cylinder.slot else name: part for name, part in parts.items()})
         self.__post_init__()
         vars(self).update(read(LineLoading.inputs, given))
@@ -102,7 +87,7 @@ class LineContact(Described):
     @property
     def headline(self) -> str:
         """What slides or rolls over what."""
-        return f"Line{super().headline[0].lower()}{super().headline[1:]}"
+        return f"Line {super().headline[0].lower()}{super().headline[1:]}"
 
     # --- from SI to the dimensionless problem -----------------------------------------------------------------------
 
@@ -198,7 +183,7 @@ class LineContact(Described):
             found["friction_shear"] = Quantity(couette + poiseuille, error, "N/m")
             found["shear_rate_max"] = Quantity(math.nan, math.nan, "1/s")
         friction = found["friction_total"]
-        found["contact_radius"] = Quantity(self.unit_length, 0.0, "m")
+        found["contact_half_width"] = Quantity(self.unit_length, 0.0, "m")
         found["friction_coefficient"] = Quantity(friction / self.load_per_length, friction.error / self.load_per_length)
         if self.roughness is not None:
             found["lambda_ratio"] = lambda_ratio(found, self.roughness)

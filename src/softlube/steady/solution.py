@@ -77,9 +77,14 @@ class Answer(Summarised):
         Doubts about the physics of the input.
     """
 
-    quantities: Mapping[str, Quantity]
-    dimensional: Mapping[str, Quantity]
-    warnings: tuple[str, ...]
+    if TYPE_CHECKING:  # a dataclass would take properties for defaults
+
+        @property
+        def quantities(self) -> Mapping[str, Quantity]: ...
+        @property
+        def dimensional(self) -> Mapping[str, Quantity]: ...
+        @property
+        def warnings(self) -> tuple[str, ...]: ...
 
     def __getattr__(self, name: str) -> Quantity:
         if not name.startswith("_") and name in self.__dict__.get("quantities", {}):

@@ -12,6 +12,7 @@ from scipy.special import hyperu
 from softlube.discretization.line.memory import remembered
 from softlube.discretization.line.panels import Panels
 from softlube.discretization.line.potential import log_potential
+from softlube.discretization.line.remainder import remainder_potential
 from softlube.model.substrates import Substrate
 
 Array = NDArray[np.floating]
@@ -100,6 +101,8 @@ def surface(substrate: Substrate, loaded: Panels, targets: Panels) -> Array:
     """
     places = np.append(rows_of(targets), loaded.edges[-1])
     elastic = 2 * log_potential(loaded, places, loaded.points)
+    if substrate.remainder is not None:
+        elastic -= remainder_potential(substrate, loaded, places, loaded.points)
     memory = substrate.memory
     if memory is None:
         return elastic[:-1]

@@ -16,8 +16,8 @@ LADDER = (8, 11, 14)
 """Points on each panel of the nested meshes."""
 REFINEMENT, ROUNDS = 30.0, 4
 """What is asked of the panels when the errors are too large: this factor more, so many times at most."""
-ROUND_OFF = 1e-10
-"""Least relative error: what round-off and the end of Newton's method leave."""
+ROUND_OFF = 1e-8
+"""Least relative error that is claimed, some times what round-off and the end of Newton's method leave."""
 
 
 def errors_of(levels: Sequence[Mapping[str, float]]) -> dict[str, float]:

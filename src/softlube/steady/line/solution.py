@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.line.measure import LineFields
 from softlube.model.problem import Problem
-from softlube.model.quantities import DERIVED, LINE, Quantity
+from softlube.model.quantities import LINE, LINE_DERIVED, Quantity
 from softlube.model.summary import QUANTITY_COLUMNS, Row, Summary, engineering, in_words, rounded, row
 from softlube.steady.solution import Answer, PhysicalContact
 
@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.floating]
 
+ROWS = LINE | LINE_DERIVED
+"""What every quantity means, by its name."""
+UNITS = "L is half the width of the dry contact of a half-space, and H = L²/R"
+"""What the units of a dimensionless contact are made of."""
 BEHIND = 0.5
 """How far behind the free boundary profiles go, over the distance from there to the end of the profile ahead."""
 
@@ -72,19 +76,24 @@ class LineSolution(Answer):
 
     def summary(self) -> Summary:
         """Every quantity with its error, as ``softlube line`` prints them, and the warnings."""
-        return Summary(
-            self.headline, QUANTITY_COLUMNS, tuple(self._rows()), tuple(f"Warning: {each}" for each in self.warnings)
-        )
+        notes = tuple(f"Warning: {each}" for each in self.warnings)
+        return Summary(self.headline, QUANTITY_COLUMNS, tuple(self._rows()), notes if self.dimensional else (UNITS, *notes))
 
     def _rows(self) -> list[Row]:
         rows = []
         for name, quantity in (self.dimensional or self.quantities).items():
-            definition = LINE.get(name) or DERIVED[name]
+            definition = ROWS[name]
             words = f"  {definition.place}" if definition.place else definition.words
             if self.dimensional:
                 rows.append(row(words, *engineering(quantity)))
             else:
-                rows.append(row(words, *rounded(float(quantity), quantity.error), definition.unit.formula.format("b²/R")))
+                rows.append(
+                    row(
+                        words,
+                        *rounded(float(quantity), quantity.error),
+                        definition.unit.formula.format("H").partition(" = ")[0],
+                    )
+                )
         return rows
 
     def to_dataframe(self) -> pandas.DataFrame:
@@ -92,7 +101,7 @@ class LineSolution(Answer):
         import pandas as pd
 
         values = self.dimensional or self.quantities
-        lines = [(float(q), q.error, q.unit, (LINE.get(name) or DERIVED[name]).words) for name, q in values.items()]
+        lines = [(float(q), q.error, q.unit, ROWS[name].words) for name, q in values.items()]
         return pd.DataFrame(lines, index=pd.Index(list(values), name="quantity"), columns=["value", "error", "unit", "words"])
 
     def to_dict(self) -> dict[str, Any]:

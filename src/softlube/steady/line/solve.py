@@ -16,7 +16,7 @@ from softlube.solvers.threads import one_thread
 from softlube.steady.line.ladder import solve_on_ladder
 from softlube.steady.line.solution import LineSolution
 
-DEFAULT_ACCURACY, FINEST_ACCURACY, LARGEST_ACCURACY = 1e-5, 1e-8, 0.1
+DEFAULT_ACCURACY, FINEST_ACCURACY, LARGEST_ACCURACY = 1e-5, 1e-7, 0.1
 """Relative errors that are asked for where nothing is said, and at least and at most."""
 SMALLEST_BETA, LARGEST_BETA = 1e-6, 1e10
 """β for which the meshes are known to do; beyond them a rigid cylinder, and a Hertz contact."""
@@ -94,19 +94,18 @@ def solve_problem(
     if isinstance(budget, (bool, str)) or not budget > 0:
         raise InputError(f"budget: expected a number of seconds above 0, got {budget!r}")
     if not problem.load_controlled:
-        raise InputError(
-            "beta: a half-plane yields without end under a line load, so that no depth is prescribed; give beta_load"
-        )
+        raise InputError("beta: a half-plane yields without end under a line load, so no depth can be given; give beta_load")
     if not SMALLEST_BETA <= problem.parameter <= LARGEST_BETA:
         raise NotConvergedError(
-            f"beta_load = {problem.parameter:.4g} is outside the range that is resolved, {SMALLEST_BETA:g} to {LARGEST_BETA:g}. "
-            "Beyond it the cylinder is rigid, or the contact is a Hertz contact."
+            f"beta_load = {problem.parameter:.4g} is outside the range that is resolved, {SMALLEST_BETA:g} to "
+            f"{LARGEST_BETA:g}: a rigid cylinder below, a Hertz contact above."
         )
     try:
         with time_budget.within(budget):
             stage, quantities = solve_on_ladder(problem, accuracy, progress)
     except time_budget.OutOfTime:
         raise NotConvergedError(
-            f"beta_load = {problem.parameter:.4g}: no solution within {budget:g} s of processor time. Try budget={3 * budget:g}."
+            f"beta_load = {problem.parameter:.4g}: no solution within {budget:g} s of processor time. "
+            f"Try budget={3 * budget:g}."
         ) from None
     return LineSolution(problem, LineFields(stage.equations, stage.state), quantities, accuracy)
