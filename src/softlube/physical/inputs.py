@@ -105,7 +105,7 @@ def check_names(given: Iterable[str], slots: Sequence[str], *groups: type[Declar
     known = [*slots, *names_of(slots, *groups)]
     for name in given:
         if name not in known:
-            close = get_close_matches(name, known) or known
+            close = get_close_matches(name, known) or [each for each in known if each.startswith(name)] or known
             raise InputError(f"{name}: no input; expected {' or '.join(close)}")
 
 

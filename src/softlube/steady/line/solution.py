@@ -81,8 +81,11 @@ class LineSolution(Answer):
 
     def _rows(self) -> list[Row]:
         rows = []
-        for name, quantity in (self.dimensional or self.quantities).items():
-            definition = ROWS[name]
+        values = self.dimensional or self.quantities
+        for name, definition in ROWS.items():
+            if name not in values:
+                continue
+            quantity = values[name]
             words = f"  {definition.place}" if definition.place else definition.words
             if self.dimensional:
                 rows.append(row(words, *engineering(quantity)))

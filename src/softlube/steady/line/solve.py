@@ -21,6 +21,9 @@ DEFAULT_ACCURACY, FINEST_ACCURACY, LARGEST_ACCURACY = 1e-5, 1e-7, 0.1
 SMALLEST_BETA, LARGEST_BETA = 1e-6, 1e10
 """β for which the meshes are known to do; beyond them a rigid cylinder, and a Hertz contact."""
 
+THINNEST = 0.02
+"""Depth of a substrate's remainder over b, a layer's: twice its thickness, that the meshes resolve."""
+
 
 def solve(
     beta_load: float,
@@ -99,6 +102,12 @@ def solve_problem(
         raise NotConvergedError(
             f"beta_load = {problem.parameter:.4g} is outside the range that is resolved, {SMALLEST_BETA:g} to "
             f"{LARGEST_BETA:g}: a rigid cylinder below, a Hertz contact above."
+        )
+    remainder = problem.substrate.remainder
+    if remainder is not None and remainder.smooth_over < THINNEST:
+        raise NotConvergedError(
+            f"the layer is {THINNEST / remainder.smooth_over:.2g} times thinner, beside the half-space's contact, than what "
+            "the meshes resolve; check its thickness"
         )
     try:
         with time_budget.within(budget):
