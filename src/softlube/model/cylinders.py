@@ -38,6 +38,11 @@ class Cylinder(Part):
         return values
 
     @property
+    def reference_radius(self) -> float:
+        """The radius [m]."""
+        return self.radius
+
+    @property
     def compliance(self) -> float:
         """4(1 − ν²)/E [1/Pa], the inverse of the `contact_modulus` that a substrate of this material has; 0 if rigid."""
         return 0.0 if self.young_modulus is None else 4 * (1 - self.poisson_ratio**2) / self.young_modulus

@@ -49,7 +49,8 @@ class LineContact(Described):
 
     Attributes
     ----------
-    indenter, substrate, liquid, compressibility, motion : Part
+    indenter : Cylinder
+    substrate, liquid, compressibility, motion : Part
     radius, viscosity, speed, shear_modulus, density, … : float, str or None
         Every input of the parts by its name, in SI; None where the part has no such input.
     load_per_length, roughness : float or None
@@ -70,6 +71,7 @@ class LineContact(Described):
     >>> round(solution.dimensional["film_center"] * 1e6, 4)  # um
     """
 
+    indenter: Cylinder  # type: ignore[bad-override]
     motion: SteadyMotion
     load_per_length: float
     cavitation: Cavitation
@@ -101,6 +103,11 @@ class LineContact(Described):
         """B [m]: half the width of the dry contact of two half-spaces under the load."""
         return math.sqrt(self.reduced_radius * self.unit_height)
 
+    @property
+    def slope(self) -> float:
+        """Slope of the narrower of the two surfaces at the edge of the dry contact."""
+        return self.unit_length / min(self.radius, self.reduced_radius)
+
     def scales(self, height: float) -> dict[str, tuple[float, str]]:
         """SI value and unit of each unit of a problem normalised with a height [m]."""
         known = super().scales(height)
@@ -122,9 +129,8 @@ class LineContact(Described):
             If the contact would be wider than the cylinder.
         """
         height = self.unit_height
-        share = self.unit_length / self.bearing_radius
-        if share > 1:
-            raise InputError(TOO_WIDE.format(name="load_per_length", share=share, largest=LARGEST_SLOPE))
+        if self.slope > 1:
+            raise InputError(TOO_WIDE.format(name="load_per_length", share=self.slope, largest=LARGEST_SLOPE))
         return Problem(
             beta_load=self.beta(height, self.speed_sum),
             cavitation=self.cavitation,
@@ -193,8 +199,8 @@ class LineContact(Described):
         """Warnings where the model may not describe the experiment."""
         doubts = []
         width = self.unit_length
-        if (share := width / self.bearing_radius) > LARGEST_SLOPE:
-            doubts.append(WIDE.format(what="contact's half-width is", share=share, largest=LARGEST_SLOPE))
+        if self.slope > LARGEST_SLOPE:
+            doubts.append(WIDE.format(what="contact's half-width is", share=self.slope, largest=LARGEST_SLOPE))
         if self.roughness is not None and (ratio := float(dimensional["lambda_ratio"])) < FULL_FILM:
             doubts.append(ROUGH.format(ratio=ratio, lubrication=lubrication(ratio), full=FULL_FILM))
         friction = abs(float(dimensional["friction_couette"]))
