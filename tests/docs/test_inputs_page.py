@@ -3,8 +3,9 @@
 from pathlib import Path
 
 import softlube
+from softlube.model.cylinders import Cylinder
 from softlube.model.parts import Part
-from softlube.physical.inputs import SLIDING_BODIES, Approach, Loading, Measured, StartOfSliding
+from softlube.physical.inputs import SLIDING_BODIES, Approach, LineLoading, Loading, Measured, StartOfSliding
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "inputs.md"
 
@@ -19,6 +20,8 @@ def test_every_input_stands_in_the_tables():
     parts = [kind for slot in SLIDING_BODIES for kind in Part.slots[slot].values() if kind.__module__.startswith("softlube.")]
     expected = [row(f"`{kind.__name__}`", each) for kind in parts for each in kind.inputs.values()]
     groups = {"steady sliding": Loading, "squeeze film": Approach, "start of sliding": StartOfSliding, "measurement": Measured}
+    groups["line contact"] = LineLoading
+    expected += [row("`Cylinder`", each) for each in Cylinder.inputs.values()]
     expected += [row(name, each) for name, group in groups.items() for each in group.inputs.values()]
     missing = [line for line in expected if line not in lines]
     assert not missing, "\n".join(missing)

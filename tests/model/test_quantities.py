@@ -13,6 +13,8 @@ from softlube.discretization.measure import measure
 from softlube.model.quantities import (
     DERIVED,
     FIELDS,
+    LINE,
+    LINE_DERIVED,
     QUANTITIES,
     REPORTED_ONLY,
     SPIKE,
@@ -45,7 +47,8 @@ def test_the_table_lists_what_is_measured_in_its_order():
 def test_powers_are_those_of_the_units_in_si():
     """`Materials.scales` computes the units from Eqs. (4) and (26) for any height."""
     contact = softlube.Contact(**BALL)
-    once, four_times = contact.scales(1e-6), contact.scales(4e-6)
+    cylinder = softlube.LineContact(**{name: BALL[name] for name in BALL if name != "load"}, load_per_length="1 N/mm")
+    once, four_times = ({**contact.scales(height), **cylinder.scales(height)} for height in (1e-6, 4e-6))
     for dimension, (value, si) in once.items():
         assert four_times[dimension][0] / value == pytest.approx(4 ** UNITS[dimension].power, rel=1e-12), dimension
         assert si == UNITS[dimension].si
@@ -76,3 +79,5 @@ def test_the_page_shows_the_table():
     text = PAGE.read_text(encoding="utf-8")
     for table in (STEADY, SPIKE, DERIVED, TRANSIENT, FIELDS):
         assert reference(table) in text
+    for table in (LINE, LINE_DERIVED):
+        assert reference(table, "H") in text

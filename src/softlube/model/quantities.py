@@ -7,7 +7,7 @@ The shipped master curve has the quantity after `benchmarks/master_curve.py` has
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import takewhile
 from math import isfinite
@@ -330,16 +330,16 @@ def header(name: str, unit: str = "", *, error: bool = False) -> str:
     return f"{name}{'_error' if error else ''}" + (f" [{unit}]" if unit else "")
 
 
-def reference(names: Iterable[str]) -> str:
-    """The rows of some quantities as a Markdown table, as in docs/reference/quantities.md."""
+def reference(table: Mapping[str, Definition], unit_of_height: str = "δ") -> str:
+    """A table of quantities in Markdown, as in docs/reference/quantities.md."""
 
     def compared(row: Definition) -> str:
         parts = row.compared_with or (row.name,)
         return " + ".join(f"`{part}`" if isinstance(part, str) else f"{part:g}" for part in parts)
 
     lines = ["| name | what it is | symbol | unit | SI | error over | equation |", "|---|---|---|---|---|---|---|"]
-    for row in (QUANTITIES[name] for name in names):
-        unit, symbol = row.unit.formula.format("δ"), row.symbol.replace("|", "\\|")
+    for row in table.values():
+        unit, symbol = row.unit.formula.format(unit_of_height), row.symbol.replace("|", "\\|")
         words, equation = row.words.replace("|", "\\|"), f"({row.equation})" if row.equation else ""
         lines.append(f"| `{row.name}` | {words} | {symbol} | {unit} | {row.unit.si} | {compared(row)} | {equation} |")
     return "\n".join(lines) + "\n"
