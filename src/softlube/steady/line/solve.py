@@ -103,6 +103,8 @@ def solve_problem(
             f"beta_load = {problem.parameter:.4g} is outside the range that is resolved, {SMALLEST_BETA:g} to "
             f"{LARGEST_BETA:g}: a rigid cylinder below, a Hertz contact above."
         )
+    if not problem.liquid.linear:
+        raise InputError("liquid: one whose shear stress is not in proportion to the shear rate is not solved in line contacts")
     remainder = problem.substrate.remainder
     if remainder is not None and remainder.smooth_over < THINNEST:
         raise NotConvergedError(
