@@ -23,9 +23,8 @@ if TYPE_CHECKING:
     from softlube.files.histories import read_history
     from softlube.files.netcdf import load
     from softlube.model import dry, liquids, substrates
-    from softlube.model.indenters import PowerProfile, Profile, RoundedCone, RoundedPunch, Sphere
     from softlube.model.cylinders import Cylinder
-    from softlube.model.indenters import PowerProfile, RoundedCone, RoundedPunch, Sphere
+    from softlube.model.indenters import PowerProfile, Profile, RoundedCone, RoundedPunch, Sphere
     from softlube.model.liquids import (
         Barus,
         Carreau,
