@@ -125,9 +125,10 @@ def section(ax: Axes, solution: Solution, *, length: float = 1.0, unit: str = LE
     ax.contour(across * length, up, np.ma.masked_invalid(v_x), levels=[0.0], colors="white", linewidths=0.8, linestyles="--")
     turning = [(REACH - 0.01, level) for level in (0.03, 0.06, 0.12, 0.2, 0.3, 0.42)]
     entering = [(0.0, level) for level in (0.1, 0.25, 0.4, 0.55, 0.7, 0.85)]
-    lines = flow.section_streamlines(solution, turning, reach=REACH)
-    lines += flow.section_streamlines(solution, entering, reach=REACH, upstream=True)
-    _arrows(ax, [line * [length, 1] for line in lines], "white")
+    if not solution.problem.liquid.thins:
+        lines = flow.section_streamlines(solution, turning, reach=REACH)
+        lines += flow.section_streamlines(solution, entering, reach=REACH, upstream=True)
+        _arrows(ax, [line * [length, 1] for line in lines], "white")
     ax.set(xlabel=rf"$x{unit}$", ylabel=r"level $(z-w)\,/\,u$", xlim=(-REACH * length, REACH * length), ylim=(0, 1))
     bar = ax.figure.colorbar(
         mesh, ax=ax, location="top", shrink=0.9, label=r"velocity along $x$ relative to the sphere, $/\,v$", pad=0.03
@@ -136,6 +137,43 @@ def section(ax: Axes, solution: Solution, *, length: float = 1.0, unit: str = LE
     inlet_right(ax)
     thin = np.s_[::10, ::5]
     return {"x [sqrt(R|h0|)]": across[thin].ravel(), "level": up[thin].ravel(), "v_x [v]": v_x[thin].ravel()}
+
+
+def thinned(ax: Axes, solution: Solution, what: str, *, length: float = 1.0, unit: str = LENGTH) -> Columns:
+    """Shear rate ("rate") on the faster sheared wall, or viscosity ("viscosity") there over that at rest, in the plane.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+        Where to draw.
+    solution : Solution
+        What to draw.
+    what : {"rate", "viscosity"}
+        Which of the two.
+    length, unit : float, str
+        See `plane`.
+    """
+    side = np.linspace(-REACH, REACH, 161)
+    x, y = np.meshgrid(side, side)
+    r, theta = np.hypot(x, y), np.arctan2(y, x)
+    level = np.array([0.0, 1.0])[:, None, None]
+    contact = solution.contact
+    if what == "rate":
+        values = np.max(np.hypot(*flow.shear_rate(solution, r, theta, level=level)), axis=0)
+        scale, label = (1.0, r"$/\,(v/|h_0|)$") if contact is None else (contact.speed_sum / contact.unit_height, "[1/s]")
+        label = f"shear rate at the walls {label}"
+    else:
+        values = np.min(flow.viscosity(solution, r, theta, level=level), axis=0)
+        scale, label = 1.0, "viscosity at the walls over that at rest"
+    shown = np.log10(values * scale)
+    mesh = ax.contourf(x * length, y * length, shown, levels=24, cmap="cividis")
+    mesh.set_edgecolor("face")
+    ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.8, label=f"log₁₀ of the {label}", pad=0.03)
+    ax.set(aspect="equal", xlabel=rf"$x{unit}$", ylabel=rf"$y{unit}$")
+    inlet_right(ax)
+    thin = np.s_[::4, ::4]
+    column = "shear rate [v/|h0|]" if what == "rate" else "viscosity [eta]"
+    return {"x [sqrt(R|h0|)]": x[thin].ravel(), "y [sqrt(R|h0|)]": y[thin].ravel(), column: values[thin].ravel()}
 
 
 def walls(ax: Axes, solution: Solution, axis: str, *, length: float = 1.0, unit: str = LENGTH) -> Columns:
@@ -188,6 +226,8 @@ def _length_scale(solution: Solution) -> tuple[float, str]:
 def picture(solution: Solution, *, level: float | None = None) -> tuple[Figure, dict[str, Columns]]:
     """Flow in the gap in four panels: streamlines in the plane and in the mid-plane, wall shear along x and along y.
 
+    Two more show the shear rate and the viscosity at the walls if the liquid thins with shear.
+
     Parameters
     ----------
     solution : Solution
@@ -210,23 +250,27 @@ def picture(solution: Solution, *, level: float | None = None) -> tuple[Figure, 
 
     if level is not None and not 0 <= level <= 1:
         raise InputError(f"level: expected a share of the film between 0 (substrate) and 1 (sphere), got {level!r}")
-    if solution.contact is not None and solution.contact.slide_to_roll != FIXED_BALL:
+    thins, linear = solution.problem.liquid.thins, solution.problem.liquid.linear
+    if solution.contact is not None and linear and solution.contact.slide_to_roll != FIXED_BALL:
         raise InputError(
             f"slide_to_roll: velocities and stresses are drawn for a ball that does not turn, {FIXED_BALL:g}; got "
             f"{solution.contact.slide_to_roll:g}, which changes neither film nor pressure: softlube solve --plot draws those"
         )
     length, unit = _length_scale(solution)
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(6.9, 6.2), layout="constrained")
+        figure = Figure(figsize=(6.9, 9.4 if thins else 6.2), layout="constrained")
         FigureCanvasAgg(figure)
-        axes = figure.subplots(2, 2, height_ratios=(1.25, 1))
+        axes = figure.subplots(2 + thins, 2, height_ratios=(1.25, 1, 1.25)[: 2 + thins])
         tables = {
             "plane": plane(axes[0, 0], solution, level=level, length=length, unit=unit),
             "section": section(axes[0, 1], solution, length=length, unit=unit),
             "shear-x": walls(axes[1, 0], solution, "x", length=length, unit=unit),
             "shear-y": walls(axes[1, 1], solution, "y", length=length, unit=unit),
         }
-        for letter, ax in zip("abcd", axes.flat, strict=True):
+        if thins:
+            tables["shear-rate"] = thinned(axes[2, 0], solution, "rate", length=length, unit=unit)
+            tables["viscosity"] = thinned(axes[2, 1], solution, "viscosity", length=length, unit=unit)
+        for letter, ax in zip("abcdef"[: axes.size], axes.flat, strict=True):
             ax.set_title(f"({letter})", loc="left")
         figure.canvas.draw()
     return figure, tables

@@ -1,11 +1,13 @@
 """The flow in the gap, read off a solution: velocity (23), averages (24), shear stress (25), flux, streamlines.
 
 Everything is normalised as in the paper: lengths in the plane with √(R|h₀|), heights with |h₀|, velocities with the sliding
-speed v, shear stresses with ηv/|h₀|.  A place in the film is (r, θ) and either a height z̄ or a `level` ζ = (z − w)/u: 0 on
-the substrate, 1 on the sphere.
+speed v (the sum of the surface speeds), shear stresses with ηv/|h₀|, η the viscosity at rest.  A place in the film is (r, θ)
+and either a height z̄ or a `level` ζ = (z − w)/u: 0 on the substrate, 1 on the sphere.
 
 Two frames: in that of the substrate, the paper's, the substrate is at rest and the sphere moves with velocity 1 along +x; in
 that of the sphere the flow is steady, the liquid comes from +x, and fluxes have no divergence.
+
+A liquid that thins with shear may roll, too: then both walls move in the frame of the sphere, where the flow is steady.
 
 Behind the free boundary of the Reynolds condition the gap is only partly filled; see `softlube.free_boundary`.
 """
@@ -19,9 +21,14 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
-from softlube.discretization.splines import Spline
 from softlube.errors import InputError
-from softlube.readout.free_boundary import CENTRE, filling, free_boundary, is_wet, polar
+from softlube.readout.across import across_at, cartesian
+from softlube.readout.film import driving_gradient as driving_gradient
+from softlube.readout.film import levels, viscosity_at_rest
+from softlube.readout.film import pressure_gradient as pressure_gradient
+from softlube.readout.film import sphere_height as sphere_height
+from softlube.readout.film import substrate_height as substrate_height
+from softlube.readout.free_boundary import CENTRE, filling, free_boundary, polar
 from softlube.steady.solution import Solution
 
 Array = NDArray[np.floating]
@@ -33,65 +40,48 @@ SLOWEST = 1e-4
 """Speed below which the liquid counts as at rest when a streamline is followed."""
 
 
-def sphere_height(solution: Solution, r: ArrayLike) -> Array:
-    """Height h̄ of the indenter's surface over the undeformed substrate, Eq. (6c)."""
-    return solution.fields.height + solution.problem.indenter.height(r)
-
-
-def substrate_height(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Array:
-    """Height w̄ of the substrate's surface, h̄ − ū, Eq. (1c)."""
-    return sphere_height(solution, r) - solution.fields.film_at(r, theta)
-
-
 # --- velocity and stress --------------------------------------------------------------------------------------------
 
 
-def pressure_gradient(solution: Solution, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
-    """∂p̄/∂r and (1/r) ∂p̄/∂θ at polar coordinates (broadcast); zero behind the free boundary."""
-    return _gradient(solution, solution.fields.pressure_spline, r, theta)
+def _polar(along_x: Array, along_y: Array, theta: ArrayLike) -> tuple[Array, Array]:
+    return cartesian(along_x, along_y, -np.asarray(theta))
 
 
-def driving_gradient(solution: Solution, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
-    """∂q̄/∂r and (1/r) ∂q̄/∂θ of the reduced pressure q, with (η/η₀)∇q = ∇p, at polar coordinates (broadcast).
+def shear_rate(solution: Solution, r: ArrayLike, theta: ArrayLike, *, level: ArrayLike) -> tuple[Array, Array]:
+    """Shear rate (∂v̄_x/∂z̄, ∂v̄_y/∂z̄) at a level of the film, in units of v over the unit of height.
 
-    It drives the flow, and is smooth even where the pressure has a spike.
+    Parameters
+    ----------
+    solution : Solution
+        Whose flow.
+    r, theta : array_like
+        Polar coordinates.
+    level : array_like
+        Share of the film's thickness from the substrate (0) to the sphere (1); broadcast with r and θ.
     """
-    return _gradient(solution, solution.fields.reduced_spline, r, theta)
+    if solution.fields.liquid.thins:
+        along_x, along_y = across_at(solution, r, theta).rate(level)
+        return along_x, along_y
+    stress = shear_stress(solution, r, theta, level=level)
+    viscosity = viscosity_at_rest(solution, r, theta)
+    return stress[0] / viscosity, stress[1] / viscosity
 
 
-def _gradient(solution: Solution, spline: Spline, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
-    chart = solution.fields.chart
-    radius, angle, side = polar(r, theta)
-    xi, s = chart.xi_of(radius), chart.s_of(angle)
-    wet = is_wet(solution, r, theta)
-    by_r = spline(xi, s, dx=1, grid=False) / chart.dr_dxi(radius)
-    by_theta = spline(xi, s, dy=1, grid=False) / chart.dtheta_ds(s) / radius
-    return np.where(wet, by_r, 0.0), np.where(wet, side * by_theta, 0.0)
+def viscosity(solution: Solution, r: ArrayLike, theta: ArrayLike, *, level: ArrayLike) -> Array:
+    """Viscosity at a level of the film over η₀, that at rest at zero pressure."""
+    at_rest = viscosity_at_rest(solution, r, theta)
+    if not solution.fields.liquid.thins:
+        return at_rest + 0 * np.asarray(level)
+    across = across_at(solution, r, theta)
+    stress = np.maximum(np.hypot(*across.stress(level)) / solution.fields.beta, 1e-150)
+    return at_rest * np.exp(-solution.fields.liquid.fluidity_at(stress)[0])
 
 
-def _level(
-    solution: Solution, r: ArrayLike, theta: ArrayLike, z: ArrayLike | None, level: ArrayLike | None
-) -> tuple[Array, Array]:
-    """Level ζ and 1 − ζ, each exactly zero on its wall; nan outside the film."""
-    if (z is None) == (level is None):
-        raise InputError("z, level: give exactly one of them")
-    if level is not None:
-        zeta = np.asarray(level, dtype=float)
-        inside = (zeta >= 0) & (zeta <= 1)
-        return np.where(inside, zeta, np.nan), np.where(inside, 1 - zeta, np.nan)
-    film = solution.fields.film_at(r, theta)
-    above = np.asarray(z, dtype=float) - substrate_height(solution, r, theta)
-    below = sphere_height(solution, r) - np.asarray(z, dtype=float)
-    inside = (above >= 0) & (below >= 0)
-    low = above < below
-    zeta = np.where(low, above / film, 1 - below / film)
-    rest = np.where(low, 1 - above / film, below / film)
-    return np.where(inside, zeta, np.nan), np.where(inside, rest, np.nan)
-
-
-def _viscosity(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Array:
-    """η/η₀ at polar coordinates."""
-    return solution.fields.liquid.viscosity(solution.fields.pressure_at(r, theta))
+def _walls(solution: Solution, frame: str) -> tuple[float, float]:
+    """Velocities of substrate and sphere along x, in units of v."""
+    slip = solution.fields.slide_to_roll / 4
+    middle = slip if frame == "substrate" else -0.5
+    return middle - slip, middle + slip
 
 
 def _check_frame(frame: str) -> None:
@@ -138,7 +128,13 @@ def velocity(
     [0.0, 1.0]
     """
     _check_frame(frame)
-    zeta, rest = _level(solution, r, theta, z, level)
+    zeta, rest = levels(solution, r, theta, z, level)
+    if solution.fields.liquid.thins:
+        across = across_at(solution, r, theta)
+        below, above = (across.velocity(zeta, wall) for wall in (0.0, 1.0))
+        substrate, sphere = _walls(solution, frame)
+        low = zeta < rest  # each wall's velocity exactly
+        return _polar(np.where(low, below[0] + substrate, above[0] + sphere), np.where(low, below[1], above[1]), theta)
     q_r, q_t = driving_gradient(solution, r, theta)
     parabola = -3 * solution.fields.beta * solution.fields.film_at(r, theta) ** 2 * zeta * rest
     couette = zeta if frame == "substrate" else -rest
@@ -148,6 +144,9 @@ def velocity(
 def mean_velocity(solution: Solution, r: ArrayLike, theta: ArrayLike, *, frame: Frame = "substrate") -> tuple[Array, Array]:
     """Velocity averaged through the film, Eq. (24)."""
     _check_frame(frame)
+    if solution.fields.liquid.thins:
+        pushed_x, pushed_y = across_at(solution, r, theta).mean_velocity
+        return _polar(pushed_x + sum(_walls(solution, frame)) / 2, pushed_y, theta)
     q_r, q_t = driving_gradient(solution, r, theta)
     mobility = -solution.fields.beta / 2 * solution.fields.film_at(r, theta) ** 2
     couette = 0.5 if frame == "substrate" else -0.5
@@ -161,12 +160,15 @@ def shear_stress(
 
     On the sphere (level 1): 3βū∂p̄/∂x + (η/η₀)/ū; on the substrate (level 0): −3βū∂p̄/∂x + (η/η₀)/ū.
     """
-    zeta, rest = _level(solution, r, theta, z, level)
+    zeta, rest = levels(solution, r, theta, z, level)
+    if solution.fields.liquid.thins:
+        along_x, along_y = across_at(solution, r, theta).stress(zeta)
+        return along_x, along_y
     p_r, p_t = pressure_gradient(solution, r, theta)
     film = solution.fields.film_at(r, theta)
     slope = 3 * solution.fields.beta * film * (zeta - rest)
     cosine, sine = np.cos(theta), np.sin(theta)
-    couette = _viscosity(solution, r, theta) / film
+    couette = viscosity_at_rest(solution, r, theta) / film
     return slope * (cosine * p_r - sine * p_t) + couette, slope * (sine * p_r + cosine * p_t)
 
 
@@ -291,6 +293,8 @@ def section_streamlines(solution: Solution, starts: ArrayLike, *, reach: float =
         (x, ζ) along each line; the height is w̄ + ζū.
     """
     chart, liquid = solution.fields.chart, solution.fields.liquid
+    if liquid.thins:
+        raise InputError("solution: its liquid thins with shear; streamlines in the section are known for others only")
     film_spline, pressure_spline = solution.fields.film_spline, solution.fields.pressure_spline
 
     def direction(x: Array, zeta: Array) -> tuple[Array, Array]:

@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from softlube.discretization.fields import Fields
-from softlube.discretization.measure import measure
+from softlube.discretization.measure import FRICTIONS, measure
 from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.motions import FIXED_BALL
 from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity, places_of
 from softlube.solvers import budget
@@ -132,7 +133,10 @@ class Estimate:
     def unresolved(self, accuracy: float, regime: Regime) -> dict[str, float]:
         """Relative errors of the quantities that decide and are not accurate enough."""
         deciding = {name: error for name, error in self.errors.items() if name not in self.determined}
-        return unresolved(self.values, deciding, accuracy, looser(regime))
+        values = dict(self.values)
+        if regime.problem.slide_to_roll != FIXED_BALL:  # one of the frictions may vanish, not all of them
+            values |= dict.fromkeys(FRICTIONS, max(abs(values[name]) for name in FRICTIONS))
+        return unresolved(values, deciding, accuracy, looser(regime))
 
     def accuracy(self, regime: Regime) -> float:
         """The accuracy that is reached: the least that could have been asked for."""
