@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.splines import Spline, Weights
-from softlube.model.film_section import Section, film_section
+from softlube.model.film_section import film_section
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.motions import FIXED_BALL
 from softlube.model.problem import Cavitation
@@ -72,6 +72,27 @@ class Mesh:
 def _mesh(chart: Chart, r: bytes, theta: bytes) -> Mesh:
     """The mesh of some nodes; meshes come again, and much is known of their places then."""
     return Mesh(chart, np.frombuffer(r), np.frombuffer(theta))
+
+
+class Sheared(NamedTuple):
+    """A liquid that thins with shear at some places.
+
+    Attributes
+    ----------
+    mean : ndarray
+        Mean shear stress across the film along x, in units of (2π/3) G (unit of height)/R.
+    rest : ndarray
+        What it would be at rest: (η/η₀)/(βū) times S/2.
+    stress : ndarray, shape (2, …)
+        Size of the shear stress on the substrate and on the sphere.
+    rate : ndarray, shape (2, …)
+        Shear rate there, in units of v over the unit of height.
+    """
+
+    mean: Array
+    rest: Array
+    stress: Array
+    rate: Array
 
 
 @dataclass(frozen=True)
@@ -202,24 +223,31 @@ class Fields:
         """What the walls' speeds differ by, S/2 of their sum, over β: the shear stress times the film at constant viscosity."""
         return self.slide_to_roll / 2 / self.beta
 
+    def sheared_on(self, at: Places) -> Sheared:
+        """Stresses and shear rates of a liquid that thins with shear at places with ξ > 0."""
+        film, (fluidity, _) = self.film_on(at), self.liquid.fluidity(self.pressure_on(at))
+        half = 3 * film / fluidity * np.stack(self.gradient_on(at, self.reduced_spline))
+        rest = self.slip / (film * fluidity)
+        section = film_section(self.liquid, 2 * half.reshape(2, -1), rest.ravel())
+        mean = section.mean.reshape(half.shape)
+        stress = np.stack([np.hypot(*(mean - half)), np.hypot(*(mean + half))])
+        rate = self.beta * fluidity * stress * np.exp(self.liquid.fluidity_at(np.maximum(stress, 1e-150))[0])
+        return Sheared(mean[0], rest, stress, rate)
+
+    @cached_property
+    def sheared(self) -> Sheared:
+        """Stresses and shear rates on the nodes, without a ring at the centre, of a liquid that thins with shear."""
+        return self.sheared_on(self.mesh.places(self.mesh.xi[self.mesh.centre :], self.mesh.s))
+
+    def nodal_spline(self, values: Array) -> Spline:
+        """Spline through values on the nodes of `sheared`."""
+        centre = np.full((self.mesh.centre, values.shape[1]), np.mean(values[0]))
+        return self._spline(np.concatenate([centre, values]))
+
     @cached_property
     def _ln_drag(self) -> Spline:
-        """Ln of the mean shear stress along x over that of the liquid at rest, for a liquid that thins with shear."""
-        mesh = self.mesh
-        places = mesh.places(self.mesh.xi[mesh.centre :], mesh.s)
-        section, drag = self.section_on(places)
-        values = np.zeros(self.film.shape)
-        if self.slip:
-            values[mesh.centre :] = np.log(section.mean[0].reshape(values[mesh.centre :].shape) / drag)
-            values[: mesh.centre] = np.mean(values[mesh.centre])
-        return self._spline(values)
-
-    def section_on(self, at: Places) -> tuple[Section, Array]:
-        """The flow across the film at places with ξ > 0, in one row, and the stress that sliding causes at rest there."""
-        film, (fluidity, _) = self.film_on(at), self.liquid.fluidity(self.pressure_on(at))
-        gradient = np.stack(self.gradient_on(at, self.reduced_spline))
-        drag = self.slip / (film * fluidity)
-        return film_section(self.liquid, (6 * film / fluidity * gradient).reshape(2, -1), drag.ravel()), drag
+        """Logarithm of the mean shear stress along x over that of the liquid at rest, for a liquid that thins with shear."""
+        return self.nodal_spline(np.log(self.sheared.mean / self.sheared.rest))
 
     def viscosity_on(self, at: Places) -> Array:
         """η(p)/η₀ at places, of the liquid at rest."""
@@ -233,7 +261,7 @@ class Fields:
         drag = self.viscosity_on(at) * self.slip / self.film_on(at)
         if self.liquid.linear:
             return drag
-        if self.liquid.thins:
+        if self.liquid.thins and self.slip:
             drag = drag * np.exp(self._ln_drag.on(at.across, at.along))
         return self.liquid.limited(drag, self.pressure_on(at))
 

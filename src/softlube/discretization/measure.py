@@ -214,26 +214,26 @@ def wall_shear_rate(fields: Fields, at: Places) -> Array:
     """
     film = fields.film_on(at)
     if fields.liquid.thins:
-        return wall_shear_rates(fields, at).max(axis=0)
+        return fields.sheared_on(at).rate.max(axis=0)
     q_x, q_y = fields.gradient_on(at, fields.reduced_spline)
     poiseuille = 3 * fields.beta * film
     across, along = abs(fields.slide_to_roll) / 2 / film + np.abs(poiseuille * q_x), poiseuille * q_y
     return np.sqrt(across * across + along * along)
 
 
-def wall_shear_rates(fields: Fields, at: Places) -> Array:
-    """Shear rates on the substrate and on the sphere under a liquid that thins with shear, in units of v/|h₀|."""
-    section, _ = fields.section_on(at)
-    film, (fluidity, _) = fields.film_on(at), fields.liquid.fluidity(fields.pressure_on(at))
-    half = 3 * film / fluidity * np.stack(fields.gradient_on(at, fields.reduced_spline))
-    mean = section.mean.reshape(half.shape)
-    stress = np.stack([np.hypot(*(mean - half)), np.hypot(*(mean + half))])
-    return fields.beta * fluidity * stress * np.exp(fields.liquid.fluidity_at(np.maximum(stress, 1e-150))[0])
+def _thinned(fields: Fields, cutoff: float) -> dict[str, float]:
+    """Quantities of `softlube.model.quantities.THINNING` over r ≤ cutoff."""
+    at_walls = [fields.nodal_spline(np.log(np.mean(each, axis=0))) for each in (fields.sheared.stress, fields.sheared.rate)]
+    stress, rate = integrate(fields, lambda at: np.exp([each.on(at.across, at.along) for each in at_walls]), cutoff)
+    area = np.pi * cutoff**2
+    return {"shear_rate_mean": float(rate / area), "viscosity_mean": float(fields.beta * stress / rate)}
 
 
 @one_thread
 def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
     """Every quantity of `softlube.model.quantities.STEADY` by its name, normalised like the fields.
+
+    Those of `softlube.model.quantities.THINNING`, too, if the liquid thins with shear.
 
     Parameters
     ----------
@@ -262,7 +262,8 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         highest = -_least(-fields.pressure_spline, around(-fields.pressure))[2]
     pressure_max = max(highest, pressure_center)  # the centre lies between the nodes
 
-    sheared = wall_shear_rate(fields, mesh.nodes)
+    thins = fields.liquid.thins
+    sheared = fields.sheared.rate.max(axis=0)[1 - mesh.centre :] if thins else wall_shear_rate(fields, mesh.nodes)
     near = around(np.vstack([np.zeros((1, s_nodes.size)), -sheared]))
     near = mesh.places(np.maximum(near.xi, xi_nodes[1] / 8), near.s)
     inlet = mesh.places(_fine(xi_nodes, 0.0, float(xi_nodes[-1]), 3), INLET_AXIS)
@@ -276,7 +277,7 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         factor: integrate(fields, lambda at: _densities(fields, at), cutoff).tolist()
         for factor, cutoff in ((CONTACT, contact), (DOMAIN, domain))
     }
-    return {
+    found = {
         "load": fields.load,
         "load_contact": within[CONTACT][0],
         "height": fields.height,
@@ -293,6 +294,7 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         **frictions(lambda cutoff: within[cutoff][1:]),
         "shear_rate_max": _largest(lambda at: wall_shear_rate(fields, at), near, mesh),
     }
+    return found | _thinned(fields, contact) if thins else found
 
 
 def boundary_layer(fields: Fields, pressure_max: float, edge: float = 1.0) -> float:

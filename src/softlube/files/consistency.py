@@ -21,7 +21,7 @@ from softlube.errors import SoftlubeError
 from softlube.files.reading import Damaged
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Problem
-from softlube.model.quantities import STEADY, Quantity
+from softlube.model.quantities import QUANTITIES, Quantity
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
@@ -107,7 +107,7 @@ def _check_quantities(solution: Solution) -> None:
     for name, value in measured.items():
         if name not in on_grid:
             raise Damaged(f"levels: expected {name} among the values of the finest")
-        if not abs(on_grid[name] - value) <= ROUND_OFF * STEADY[name].size(measured):
+        if not abs(on_grid[name] - value) <= ROUND_OFF * QUANTITIES[name].size(measured):
             raise Damaged(
                 f"{name}: the fields say {value:.6g}, the finest level {on_grid[name]:.6g}: that or the pressure was changed"
             )
@@ -145,7 +145,7 @@ def _check_result(quantities: Mapping[str, Quantity], measured: Mapping[str, flo
         if name not in measured or np.isnan(quantity) or "spike_radius" in quantities:
             continue
         value, error = measured[name], np.nan_to_num(quantity.error)
-        if not abs(quantity - value) <= error + ROUND_OFF * STEADY[name].size(measured):
+        if not abs(quantity - value) <= error + ROUND_OFF * QUANTITIES[name].size(measured):
             raise Damaged(f"{name}{suffix}: the fields say {value:.6g}, and the file {quantity}")
 
 

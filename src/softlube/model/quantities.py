@@ -100,6 +100,7 @@ UNITS = {
     "load": Unit("4πG {0} L", "N", 3 / 2),
     "friction": Unit("(2π/3)G {0}²", "N", 2),
     "shear_rate": Unit("v/{0}", "1/s", -1),
+    "viscosity": Unit("η", "Pa s", 0),
     "time": Unit("3ηR/(πG {0} √({0}/R))", "s", -3 / 2),
     "volume": Unit("R {0}²", "m^3", 2),
     "line_load": Unit("4πG {0}", "N/m", 1),
@@ -278,6 +279,12 @@ LINE_DERIVED = _table(
 )
 """Quantities that only a line contact in SI has."""
 
+THINNING = _table(
+    Definition("shear_rate_mean", "mean shear rate at the walls over r ≤ a", "γ_m", "shear_rate"),
+    Definition("viscosity_mean", "mean shear stress over mean shear rate there", "η_m", "viscosity"),
+)
+"""Quantities of a liquid that thins with shear."""
+
 DERIVED = _table(
     Definition("indentation", "indentation", "−h₀", "height", "29"),
     Definition("contact_radius", "radius of the dry contact", "a", "length", "4"),
@@ -306,10 +313,10 @@ FIELDS = _table(
 )
 """Functions of position in pictures and files."""
 
-QUANTITIES = STEADY | SPIKE | DERIVED | TRANSIENT | FIELDS
+QUANTITIES = STEADY | SPIKE | THINNING | DERIVED | TRANSIENT | FIELDS
 """Definition of every quantity by its name."""
 
-REPORTED_ONLY = tuple(name for name, row in STEADY.items() if row.place)
+REPORTED_ONLY = (*(name for name, row in STEADY.items() if row.place), *THINNING)
 """Quantities that have an error but do not decide when the grid is fine enough."""
 
 

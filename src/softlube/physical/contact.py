@@ -10,28 +10,23 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-
 from softlube.errors import InputError, warn
 from softlube.model.dry import PARABOLOID
 from softlube.model.indenters import Sphere
 from softlube.model.inputs import exactly_one, read
-from softlube.model.liquids.newtonian import NewtonianLaw
 from softlube.model.motions import FIXED_BALL, SteadyMotion
 from softlube.model.parts import resolve
 from softlube.model.problem import Cavitation, Problem
 from softlube.model.quantities import QUANTITIES, Quantity
-from softlube.model.substrates.half_space import HalfSpace
 from softlube.model.substrates.layer import LayerKernel
 from softlube.physical.described import Described
+from softlube.physical.effects import thickness_effect, thinning_effect
 from softlube.physical.inputs import BODIES, SLIDING_BODIES, Loading, Taking, check_names, documented
 from softlube.physical.materials import (
     LARGEST_FILM_REYNOLDS,
     LARGEST_SLOPE,
     LARGEST_TRACTION,
     NEWTONIAN_STRESS,
-    dry_effect,
-    layer_doubt,
 )
 from softlube.physical.rolling import at_slide_to_roll
 from softlube.physical.roughness import FULL_FILM, lambda_ratio, lubrication
@@ -276,9 +271,10 @@ class Contact(Described):
         if reynolds > LARGEST_FILM_REYNOLDS:
             doubts.append(INERTIA.format(reynolds=reynolds))
         doubts += self.thickening_doubt(float(dimensional["pressure_max"]))
+        doubts += thinning_effect(self, dimensional)
         substrate = self.substrate_for(self.unit_height)
         if isinstance(substrate, LayerKernel) and float(dimensional["indentation"]) > 0:  # else no dry contact to compare
-            doubts += self._thickness_effect(substrate, dimensional)
+            doubts += thickness_effect(self, substrate, dimensional)
         return tuple(doubts)
 
     def width_doubt(self, radius: float, what: str = "contact radius is") -> list[str]:
@@ -300,19 +296,3 @@ class Contact(Described):
             return []
         return [LIMITING_STRESS.format(stress=stress, share=share, largest=LARGEST_TRACTION)]
 
-    def _thickness_effect(self, substrate: LayerKernel, dimensional: Mapping[str, Quantity]) -> list[str]:
-        """What the finite thickness of the substrate changes, computed."""
-        dry, changes = dry_effect(substrate, by_load=self.load is not None, indenter=self.shape_for(self.unit_height))
-        thick = HalfSpace(**{name: value for name, value in vars(self.substrate).items() if name in HalfSpace.inputs})
-        half_space = Contact(**vars(self) | {"substrate": thick})
-        problem = half_space.problem()
-        if problem.liquid == NewtonianLaw() and problem.indenter == PARABOLOID:
-            from softlube.theory import master_curve as curve
-
-            solid = half_space.dimensional(curve.quantities(problem))
-            names = {"film_center": "film at the centre", "film_min": "minimum film", "friction_total": "friction"}
-            for name, text in names.items():
-                ours, theirs = dimensional[name], solid[name]
-                if np.isfinite(ours):
-                    changes[text] = ours / theirs - 1, ours.error / abs(ours) + theirs.error / abs(theirs)
-        return layer_doubt(dry, substrate, changes)

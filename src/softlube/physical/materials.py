@@ -137,6 +137,7 @@ class Materials:
             "pressure": (pressure, "Pa"),
             "load": (pressure * length**2, "N"),
             "friction": (2 * math.pi / 3 * self.contact_modulus * height**2, "N"),
+            "viscosity": (self.viscosity, "Pa s"),
             "time": (12 * self.viscosity * self.reduced_radius / (height * pressure), "s"),
             "volume": (length**2 * height, "m^3"),
         }
@@ -206,9 +207,13 @@ def layer_doubt(dry: DryContact, substrate: LayerKernel, changes: Mapping[str, t
     """
     if max(abs(change) for change, _ in changes.values()) <= LARGEST_LAYER_EFFECT:
         return []
-    effects = ", ".join(f"{text} {_in_per_cent(*change)}" for text, change in changes.items())
-    thickness = substrate.thickness / dry.radius
+    thickness, effects = substrate.thickness / dry.radius, effects_of(changes)
     return [f"the layer is {thickness:.2g} radii of its dry contact thick; compared with a half-space that changes: {effects}"]
+
+
+def effects_of(changes: Mapping[str, tuple[float, float]]) -> str:
+    """Relative changes with their errors in words."""
+    return ", ".join(f"{text} {_in_per_cent(*change)}" for text, change in changes.items())
 
 
 def _in_per_cent(change: float, error: float) -> str:

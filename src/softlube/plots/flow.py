@@ -168,7 +168,8 @@ def thinned(ax: Axes, solution: Solution, what: str, *, length: float = 1.0, uni
     shown = np.log10(values * scale)
     mesh = ax.contourf(x * length, y * length, shown, levels=24, cmap="cividis")
     mesh.set_edgecolor("face")
-    ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.8, label=f"log₁₀ of the {label}", pad=0.03)
+    bar = ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.8, label=f"log₁₀ of the {label}", pad=0.03)
+    bar.ax.locator_params(axis="x", nbins=5)
     ax.set(aspect="equal", xlabel=rf"$x{unit}$", ylabel=rf"$y{unit}$")
     inlet_right(ax)
     thin = np.s_[::4, ::4]
