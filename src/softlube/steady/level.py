@@ -17,6 +17,7 @@ from softlube.discretization.splines import Spline, bilinear
 from softlube.discretization.system import ContactSystem
 from softlube.discretization.unsteady import implicit_steps
 from softlube.errors import NotConvergedError
+from softlube.model.liquids.thinning import Tempered
 from softlube.solvers.continuation import follow, settle
 from softlube.solvers.newton import Iteration, newton
 from softlube.steady.regime import Regime
@@ -31,6 +32,8 @@ HELD_BETA = 1e3
 """β′ beyond which a load is first taken for an indentation."""
 FIRST_RISE, SMALLEST_RISE = 2.0, 0.02
 """Steps of the largest ln η/η₀ in the continuation to the problem's liquid: the first, and the shortest before it gives up."""
+SHORTEST_SHARE = 0.01
+"""Step of the share of the liquid's thinning below which the continuation to all of it gives up."""
 FIRST_TIME, SHORTEST_TIME, LONGEST_TIME = 0.1, 1e-4, 300.0
 """Time steps over β of the film that settles: the first, the shortest before it gives up, and the length beyond which the
 state is the steady one.  Liquid takes about 2β to pass through the contact."""
@@ -159,6 +162,8 @@ def _unknowns(regime: Regime, grid: PolarGrid, start: Array | None, history: lis
     """The converged unknowns; Newton's steps are added to `history`."""
     if start is None and regime.thick:
         return _thickened(regime, grid, history)
+    if start is None and regime.problem.liquid.thins:
+        return _thinned(regime, grid, history)
     system = ContactSystem(regime.problem, grid, regime.unit)
     result = newton(
         system,
@@ -169,7 +174,9 @@ def _unknowns(regime: Regime, grid: PolarGrid, start: Array | None, history: lis
     history += result.history
     if result.converged:
         return result.x
-    return _thickened(regime, grid, history) if regime.thick else _settled(regime, system, history)
+    if regime.thick:
+        return _thickened(regime, grid, history)
+    return _thinned(regime, grid, history) if regime.problem.liquid.thins else _settled(regime, system, history)
 
 
 def _first_guess(regime: Regime, system: ContactSystem, history: list[Iteration]) -> Array:
@@ -177,7 +184,7 @@ def _first_guess(regime: Regime, system: ContactSystem, history: list[Iteration]
 
     The step from a guess is safer with the height held, and the height is the dry contact's but for β^(−3/5).
     """
-    problem = regime.problem
+    problem = system.problem
     start = system.start(regime.first_height / system.scale, regime.viscosity)
     if not (problem.load_controlled and regime.beta > HELD_BETA):
         return start
@@ -209,6 +216,25 @@ def _thickened(regime: Regime, grid: PolarGrid, history: list[Iteration]) -> Arr
         history += result.history
     if result is None or not result.converged:
         raise _not_converged(regime, grid, history)
+    return result.x
+
+
+def _thinned(regime: Regime, grid: PolarGrid, history: list[Iteration]) -> Array:
+    """Solve with the viscosity of the inlet everywhere, then follow the solution as the liquid thins more and more."""
+    problem = regime.problem
+
+    def system_at(share: float) -> ContactSystem:
+        return ContactSystem(replace(problem, liquid=Tempered(problem.liquid, share, 1 / regime.viscosity)), grid, regime.unit)
+
+    even = system_at(0.0)
+    plain = newton(even, _first_guess(regime, even, history), tolerance=TOLERANCE, max_iterations=STEPS)
+    history += plain.history
+    result = None
+    if plain.converged:
+        for result in follow(system_at, plain.x, first_step=1.0, shortest_step=SHORTEST_SHARE):
+            history += result.history
+    if result is None or not result.converged:
+        return _settled(regime, ContactSystem(problem, grid, regime.unit), history)
     return result.x
 
 

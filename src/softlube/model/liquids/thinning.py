@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from softlube.errors import InputError
 from softlube.model.inputs import INVERSE_PRESSURE, NUMBER, given
+from softlube.model.lazy import numpy as np
 from softlube.model.liquids.barus import Barus
 from softlube.model.liquids.base import Array, LawOver, Liquid, LiquidPart, Lubricant
 from softlube.model.liquids.newtonian import Newtonian
@@ -50,6 +51,33 @@ class ThinningLaw(LawOver):
     def flow_curve(self, rate: Array) -> Array:
         """The stress t at which ψ(t) t has a value."""
         raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Tempered(LawOver):
+    """A share of what another law thins, on the way to it from a viscosity that is the same at every shear stress.
+
+    Parameters
+    ----------
+    liquid : Liquid
+        The other law.
+    share : float
+        Power of its ψ; the rest is the power of `even`.
+    even : float
+        ψ for no share.
+    """
+
+    share: float
+    even: float
+
+    def fluidity_at(self, stress: Array) -> tuple[Array, Array]:
+        """Logarithm of ψ, and its derivative by ln t."""
+        value, slope = self.liquid.fluidity_at(stress)
+        return self.share * value + (1 - self.share) * np.log(self.even), self.share * slope
+
+    def flow_curve(self, rate: Array) -> Array:
+        """The stress, exactly for no share and for all of it."""
+        return self.liquid.flow_curve(rate) ** self.share * (rate / self.even) ** (1 - self.share)
 
 
 class Thinning(Lubricant):
