@@ -19,6 +19,7 @@ from softlube.model.quantities import (
     REPORTED_ONLY,
     SPIKE,
     STEADY,
+    THINNING,
     TRANSIENT,
     UNITS,
     Quantity,
@@ -31,7 +32,7 @@ BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "spee
 
 
 def test_every_name_means_one_thing():
-    tables = (STEADY, SPIKE, DERIVED, TRANSIENT, FIELDS)
+    tables = (STEADY, SPIKE, THINNING, DERIVED, TRANSIENT, FIELDS)
     assert len(QUANTITIES) == sum(map(len, tables))
     assert all(name == row.name and row.dimension in UNITS for name, row in QUANTITIES.items())
     assert len({row.words for row in QUANTITIES.values()}) == len(QUANTITIES)
@@ -58,8 +59,9 @@ def test_powers_are_those_of_the_units_in_si():
 
 
 def test_places_are_compared_with_one_and_do_not_decide():
-    assert REPORTED_ONLY == ("film_min_radius", "film_min_angle_deg")
-    assert all(QUANTITIES[name].size({}) == 1 for name in REPORTED_ONLY)
+    places = ("film_min_radius", "film_min_angle_deg")
+    assert (*places, *THINNING) == REPORTED_ONLY
+    assert all(QUANTITIES[name].size({}) == 1 for name in places)
 
 
 def test_scaled_and_pickled_quantities_keep_their_errors():
@@ -77,7 +79,7 @@ def test_headers():
 
 def test_the_page_shows_the_table():
     text = PAGE.read_text(encoding="utf-8")
-    for table in (STEADY, SPIKE, DERIVED, TRANSIENT, FIELDS):
+    for table in (STEADY, SPIKE, THINNING, DERIVED, TRANSIENT, FIELDS):
         assert reference(table) in text
     for table in (LINE, LINE_DERIVED):
         assert reference(table, "H") in text
