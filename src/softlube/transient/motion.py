@@ -82,6 +82,8 @@ class Motion:
                 raise InputError(f"{name}: expected a positive, finite number, got {value!r}")
         if np.any(self.liquid.density(np.ones(1))[1]):
             raise InputError("liquid: the density must be constant where the film changes with time")
+        if not self.liquid.linear:
+            raise InputError("liquid: films that change with time are solved for liquids that do not thin with shear only")
         if not np.all(np.isfinite(self.samples)):
             raise InputError("history: not a finite number at every time from 0 to its end")
         if self.control == "load" and not np.any(self.samples):
