@@ -295,4 +295,3 @@ class Contact(Described):
         if not (share > LARGEST_TRACTION and stress > NEWTONIAN_STRESS):
             return []
         return [LIMITING_STRESS.format(stress=stress, share=share, largest=LARGEST_TRACTION)]
-
