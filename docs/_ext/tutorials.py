@@ -9,6 +9,7 @@ ORDER = (
     "first_contact",
     "stribeck_curve",
     "fit_viscosity",
+    "hyaluronic_acid",
     "layer_under_lens",
     "squeeze_dimple",
     "killed_sweep",

@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from softlube.errors import InputError, NotConvergedError, SoftlubeError, ValidityWarning
     from softlube.experiments.approach import slide, squeeze
     from softlube.experiments.fit import Fit, fit
+    from softlube.experiments.flow_curve import FlowCurve, read_flow_curve
     from softlube.experiments.measurements import Measurements, read_measurements
+    from softlube.experiments.rheometer import LiquidFit, fit_liquid
     from softlube.experiments.stribeck import StribeckCurve, stribeck_curve
     from softlube.files.histories import read_history
     from softlube.files.netcdf import load
@@ -62,9 +64,11 @@ __version__ = "0.3.0"
 _NAMES = {
     "Contact": "physical.contact",
     "Fit": "experiments.fit",
+    "FlowCurve": "experiments.flow_curve",
     "History": "physical.squeeze",
     "InputError": "errors",
     "LineContact": "physical.line",
+    "LiquidFit": "experiments.rheometer",
     "Measurements": "experiments.measurements",
     "NotConvergedError": "errors",
     "Problem": "model.problem",
@@ -78,7 +82,9 @@ _NAMES = {
     "Sweep": "sweeps",
     "ValidityWarning": "errors",
     "fit": "experiments.fit",
+    "fit_liquid": "experiments.rheometer",
     "load": "files.netcdf",
+    "read_flow_curve": "experiments.flow_curve",
     "read_history": "files.histories",
     "read_measurements": "experiments.measurements",
     "slide": "experiments.approach",
@@ -113,6 +119,7 @@ __all__ = [
     "DowsonHigginson",
     "Eyring",
     "Fit",
+    "FlowCurve",
     "HalfSpace",
     "History",
     "Incompressible",
@@ -120,6 +127,7 @@ __all__ = [
     "Layer",
     "LimitingStress",
     "LineContact",
+    "LiquidFit",
     "Measurements",
     "Newtonian",
     "NotConvergedError",
@@ -149,6 +157,7 @@ __all__ = [
     "dry",
     "engineering",
     "fit",
+    "fit_liquid",
     "flow",
     "free_boundary",
     "friction",
@@ -157,6 +166,7 @@ __all__ = [
     "line",
     "liquids",
     "load",
+    "read_flow_curve",
     "read_history",
     "read_measurements",
     "scaling",

@@ -73,13 +73,14 @@ def test_options_and_scripts_in_the_text_exist(page):
         assert (ROOT / script).is_file(), script
 
 
-def options_of_all_commands():
-    """Names of the options of every command, from the declarations."""
+def options_of_all_commands(app=app):
+    """Names of the options of every command and of the commands under it, from the declarations."""
     names = {command for command in app if command.startswith("-")}
-    for command in app:
-        if command not in names:
-            for argument in app[command].assemble_argument_collection():
-                names.update(name for name in argument.names if name.startswith("--"))
+    for command in set(app) - names:
+        names |= options_of_all_commands(app[command])
+    if app.default_command is not None:
+        for argument in app.assemble_argument_collection():
+            names.update(name for name in argument.names if name.startswith("--"))
     return names
 
 

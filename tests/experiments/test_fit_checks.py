@@ -9,7 +9,7 @@ from scipy import stats
 
 from softlube import fit
 from softlube.errors import InputError
-from softlube.experiments.fit_checks import _runs, check_held_out, order_of_residuals
+from softlube.experiments.fit_checks import check_held_out, order_of_residuals, runs
 from softlube.experiments.friction_model import make_model
 
 KNOWN = {"radius": "2 mm", "young_modulus": "3 MPa"}
@@ -36,14 +36,14 @@ def test_rows_left_out_are_predicted_or_not(clean):
     assert any("worse than those fitted" in text for text in bad.verdicts)
 
 
-def test_few_runs_are_improbable_and_many_are_not():
+def test_fewruns_are_improbable_and_many_are_not():
     """All below, then all above: 2 runs of 20, whose exact probability is 2/C(20, 10)."""
     order = np.arange(20.0)
-    assert _runs(order, order) == pytest.approx(2 / math.comb(20, 10), abs=1e-4)
-    assert _runs(order, (-1.0) ** order) > 0.999
-    assert math.isnan(_runs(order[:8], order[:8]))  # too few to say
+    assert runs(order, order) == pytest.approx(2 / math.comb(20, 10), abs=1e-4)
+    assert runs(order, (-1.0) ** order) > 0.999
+    assert math.isnan(runs(order[:8], order[:8]))  # too few to say
     shuffled = np.random.default_rng(1).permutation(20)
-    assert _runs(order[shuffled], order[shuffled]) == _runs(order, order)
+    assert runs(order[shuffled], order[shuffled]) == runs(order, order)
 
 
 def test_few_rows_tell_nothing_of_an_order(clean):
@@ -61,7 +61,7 @@ def test_chance_is_seldom_called_an_order():
     """By Wald & Wolfowitz: of random residuals about one in twenty has a probability below 0.05."""
     random = np.random.default_rng(7)
     order = np.arange(60.0)
-    small = np.mean([_runs(order, random.normal(size=60)) < 0.05 for _ in range(2000)])
+    small = np.mean([runs(order, random.normal(size=60)) < 0.05 for _ in range(2000)])
     assert 0.03 < small < 0.06
 
 

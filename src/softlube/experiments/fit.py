@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 
 from softlube.errors import InputError, SoftlubeError, printable, warn
 from softlube.experiments.fit_checks import FEWEST_SIGNS, HoldOut, check_held_out, order_of_residuals
-from softlube.experiments.friction_model import Model, make_model, normalised_friction, unit_of
-from softlube.experiments.intervals import Estimate, bootstrap, profile
+from softlube.experiments.friction_model import Model, make_model, normalised_friction
+from softlube.experiments.intervals import Estimate, bootstrap, correlation_of, profile
 from softlube.experiments.load_curve import FORCES
 from softlube.experiments.measurements import Measurements, read_measurements
 from softlube.experiments.optimum import solve_model
+from softlube.experiments.parameters import unit_of
 from softlube.model.summary import Summarised, Summary
 from softlube.physical.inputs import BODIES, documented
 from softlube.solvers.notebook import watched
@@ -38,6 +39,20 @@ DOUBTFUL = 0.01
 LARGE = 100_000
 """Rows above which the fit is not repeated for other forces and regions."""
 OTHER_REGIONS = (1.0, 2.0, 5.0)
+TOGETHER = {
+    frozenset(("viscosity", "young_modulus")): (
+        ": along a power law friction depends on one combination of both; only the curve's bend parts them"
+    ),
+    frozenset(("relaxation_time", "index")): (
+        ": a liquid that only begins to thin shows one combination of both; only faster sliding, where it thins by its power "
+        "law, parts them"
+    ),
+    frozenset(("viscosity", "relaxation_time")): (
+        ": a liquid that thins by its power law everywhere shows one combination of both; only slower sliding, where it hardly "
+        "thins, parts them"
+    ),
+}
+"""Why two parameters are determined together only."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -273,7 +288,7 @@ def fit(
         model=model,
         values=values,
         estimates=estimates,
-        correlation=_correlation(covariance),
+        correlation=correlation_of(covariance),
         scatter=scatter,
         residuals=residuals,
         beta=model.beta(values),
@@ -285,11 +300,6 @@ def fit(
         region=region,
         others=_others(model, region, robust, values, progress) if compared else {},
     )
-
-
-def _correlation(covariance: Array) -> Array:
-    deviations = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
-    return covariance / np.outer(deviations, deviations)
 
 
 def _others(
@@ -347,8 +357,7 @@ def verdicts(found: Fit) -> tuple[str, ...]:
             text = f"Correlation of {first} and {names[k]}: {c:+.3f}"
             if abs(c) > TIED:
                 text += ", so that the data determine them together and hardly each by itself"
-                if {first, names[k]} == {"viscosity", "young_modulus"}:
-                    text += ": along a power law friction depends on one combination of both; only the curve's bend parts them"
+                text += TOGETHER.get(frozenset((first, names[k])), "")
             result.append(text + ".")
     if all(estimate.determined for estimate in found.estimates.values()):
         result.append("The data determine " + ", ".join(names) + f" within the interval{'s' if len(names) > 1 else ''} stated.")

@@ -53,7 +53,7 @@ def order_of_residuals(model: Model, values: dict[str, float], residuals: Array)
         "speed": model.data.speed,
         "friction": model.friction(values),  # the model's: the measured one shares its noise with the residual
     }
-    found = {name: _runs(order, residuals) for name, order in orders.items()}
+    found = {name: runs(order, residuals) for name, order in orders.items()}
     told = {name: probability for name, probability in found.items() if not math.isnan(probability)}
     if not told:
         return "", math.nan
@@ -61,8 +61,8 @@ def order_of_residuals(model: Model, values: dict[str, float], residuals: Array)
     return name, min(1.0, len(orders) * told[name])
 
 
-def _runs(order: Array, residuals: Array) -> float:
-    """Probability of so few runs of equal sign (Wald & Wolfowitz); nan where too few residuals have either sign."""
+def runs(order: Array, residuals: Array) -> float:
+    """Probability of so few runs of equal sign along something (Wald & Wolfowitz); nan where too few have either sign."""
     signs = residuals[np.argsort(order, kind="stable")] > np.median(residuals)
     above, below = int(signs.sum()), int((~signs).sum())
     if min(above, below) < FEWEST_SIGNS:

@@ -11,18 +11,20 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from softlube.errors import InputError
 from softlube.experiments.curves import clipped
 from softlube.experiments.load_curve import check_friction
 from softlube.experiments.load_family import LoadFamily, load_family
 from softlube.experiments.measurements import Measurements
-from softlube.model.inputs import declared
+from softlube.experiments.parameters import MODULI, OFFSET, PRINCIPAL, SHORT, TYPICAL, parameters
+from softlube.experiments.problem_numbers import SAME, Path, moved, nodes_around, numbers_of, powers, with_numbers
+from softlube.model.motions import Rolling
 from softlube.model.parts import Part
 from softlube.model.problem import Problem
 from softlube.physical.contact import Contact
@@ -31,45 +33,30 @@ from softlube.solvers.progress import Listener
 
 Array = NDArray[np.floating]
 
-OFFSET = "friction_offset"
-SHORT = {"modulus": "young_modulus", "offset": OFFSET}
-MODULI = ("young_modulus", "shear_modulus")
-PRINCIPAL = ("viscosity", *MODULI)
-"""Parameters that are told with the result where they are held."""
-TYPICAL = {"young_modulus": 1e6}
-"""What to start from where nothing is given, in SI."""
 NOISE = ("relative", "absolute")
 ACCURACY = 5e-3
 """Relative accuracy of the solutions behind the curve: the friction is then good to 0.1 %, far better than a measurement."""
 ROOM = 4.0
 """How far, as a factor of β, the curve reaches beyond the data at first."""
-SPREAD = 8.0
-"""How far, as a factor of the load, curves reach beyond the data where a fitted parameter acts like another load.  A thickness
-or a pressure coefficient is so looked for within a factor of 2 of where the search is."""
+SPREAD = {True: 8.0, False: 3.0}
+"""How far, as a factor of the load, curves reach beyond the data where a fitted parameter acts like another load, for liquids
+whose shear stress is in proportion to the shear rate and for others.  A thickness, a pressure coefficient or a relaxation time
+is so looked for within a factor of 2 of where the search is."""
+COARSE = 0.2
+"""Steps, in logarithm, of the parameters of a liquid that thins for which curves are solved, so that they are found again."""
+OFF_CENTRE = 0.6
+"""Share of the reach of the curves beyond which they are solved again around what has been found."""
 PAPER_FIT = (4.806, 0.4398)
 """Eq. (28), from which the first guess of the viscosity is taken."""
 WEAK = 5e-3
 """Relative change of a liquid's law, by the viscosity that is fitted, for which curves are not solved again."""
-STEP = 1.1
+STEP = 1 / 1.1
 """Factor by which a parameter is changed to see what it does."""
-SAME = 1e-9
-"""Relative difference below which two numbers are one."""
-
-
-def parameters() -> tuple[str, ...]:
-    """Names of what can be fitted: every positive quantity with a unit that a body or a liquid has, and the offset."""
-    others = [name for name, each in names_of(BODIES).items() if each.unit and not each.signed]
-    return tuple(dict.fromkeys(("viscosity", "young_modulus", OFFSET, *others)))
-
-
-def unit_of(name: str) -> str:
-    """SI unit of a parameter."""
-    return "N" if name == OFFSET else declared()[name].unit
 
 
 @lru_cache(maxsize=64)
-def _contact(inputs: tuple[tuple[str, Any], ...]) -> Contact:
-    return Contact(**dict(inputs), speed=1.0)
+def _contact(inputs: tuple[tuple[str, Any], ...], slide_to_roll: float) -> Contact:
+    return Contact(**dict(inputs), motion=Rolling(0.5, slide_to_roll=slide_to_roll))
 
 
 @dataclass(frozen=True)
@@ -120,7 +107,7 @@ class Model:
     def contact(self, values: Mapping[str, float], load: float = 1.0) -> Contact:
         """The contact under a load [N] at a speed of 1 m/s."""
         inputs = dict(self.held) | {name: value for name, value in values.items() if name != OFFSET} | {"load": load}
-        return _contact(tuple(sorted(inputs.items())))
+        return _contact(tuple(sorted(inputs.items())), float(self.data.slide_to_roll[0]))
 
     def problem(self, values: Mapping[str, float], load: float) -> Problem:
         """The dimensionless problem under a load [N]."""
@@ -136,66 +123,117 @@ class Model:
         contact = self.contact(values)
         return contact.scales(contact.unit_height)["friction"][0] * (data or self.data).load ** (4 / 3)
 
+    @cached_property
+    def linear(self) -> bool:
+        """Whether the liquid's shear stress is in proportion to the shear rate."""
+        return self.problem(self.first_guess(), 1.0).liquid.linear
+
+    @property
+    def _weak(self) -> tuple[str, ...]:
+        """Parameters that do not change the normalised layer or liquid, or so weakly that curves are solved again for it."""
+        return ("viscosity", OFFSET) if self.linear else (OFFSET,)
+
     @property
     def _acting(self) -> tuple[str, ...]:
         """Fitted parameters that may change the normalised layer or liquid."""
-        return tuple(name for name in self.free if name not in ("viscosity", OFFSET))
+        return tuple(name for name in self.free if name not in self._weak)
 
     def bounds(self) -> tuple[Array, Array]:
         """Least and greatest vector that the curves reach, see `values`; infinite for what the normalised layer and liquid do
         not depend on.
         """
-        reach = np.full(len(self.free), math.inf)
+        ends = np.array([[-math.inf, math.inf]] * len(self.free))
+        windows = dict(zip(self.varied, self.family.numbers, strict=True)) if self.family else {}
         for k, name in enumerate(self.free):
-            if name in self._acting and self.start:
-                power = abs(math.log(self.acts_like_load(self.start | {name: STEP * self.start[name]}))) / math.log(STEP)
-                reach[k] = math.log(SPREAD) / power if power > SAME else math.inf
-        middle = np.array([math.log(self.start[n]) if n in self._acting and self.start else 0.0 for n in self.free])
-        return middle - reach, middle + reach
+            if name not in self._acting or not self.start:
+                continue
+            factor, apart = self.moved(self.start | {name: STEP * self.start[name]})
+            power = abs(math.log(factor) / math.log(STEP))
+            reach = math.log(SPREAD[self.linear]) / power if power > SAME else math.inf
+            low, high = -reach, reach
+            for path in apart.keys() & windows.keys():
+                own = self._numbers[path]
+                slope = math.log(apart[path] / own) / math.log(STEP)
+                ahead, behind = sorted(math.log(end / own) / slope for end in windows[path][[0, -1]])
+                low, high = max(low, ahead), min(high, behind)
+            ends[k] = low + math.log(self.start[name]), high + math.log(self.start[name])
+        return ends[:, 0], ends[:, 1]
 
-    def acts_like_load(self, values: Mapping[str, float]) -> float:
-        """Factor of the load that does to the normalised layer and liquid what the parameters do, compared with `start`.
+    @cached_property
+    def _numbers(self) -> dict[Path, float]:
+        """Numbers of the normalised layer and liquid with the parameters `start` under a load of 1 N."""
+        return numbers_of(self.problem(self.start, 1.0))
 
-        A layer twice as thick is, over the contact's radius, what the layer is under an eighth of the load.  The viscosity
-        counts as that of `start`: a law of viscosity that depends on it, such as Roelands', does so weakly, and the curves are
-        solved again where it has changed.
+    @cached_property
+    def _powers(self) -> dict[Path, float]:
+        """How they go with the load."""
+        return powers(self._numbers, numbers_of(self.problem(self.start, math.e)))
+
+    def moved(self, values: Mapping[str, float]) -> tuple[float, dict[Path, float]]:
+        """What the parameters do to the normalised layer and liquid, compared with `start`.
+
+        The viscosity of a liquid that does not thin counts as that of `start`: a law of viscosity that depends on it, such as
+        Roelands', does so weakly, and the curves are solved again where it has changed.
+
+        Returns
+        -------
+        factor : float
+            Factor of the load that does the same.
+        apart : mapping of path to float
+            Numbers that have changed and that no load changes, such as an index.
 
         Raises
         ------
         InputError
-            If no change of the load does all that they do.
+            If no change of the load does all that they do to the numbers that it changes.
         """
-        now = dict(values) | {name: self.start[name] for name in ("viscosity", OFFSET)}
+        now = dict(values) | {name: self.start[name] for name in self._weak if name in self.start}
         if now == self.start:
-            return 1.0
-        ours, light, heavy = (
-            _numbers(self.problem(each, load)) for each, load in ((now, 1.0), (self.start, 1.0), (self.start, math.e))
-        )
-        factors = []
-        for ours_now, at_unit, heavier in zip(ours, light, heavy, strict=True):
-            power = math.log(heavier / at_unit)
-            if abs(power) > SAME:
-                factors.append(math.log(ours_now / at_unit) / power)
-            elif abs(ours_now / at_unit - 1) > SAME:
-                factors.append(math.inf)
-        if factors and not max(factors) - min(factors) < 1e-6:
+            return 1.0, {}
+        factor, apart = moved(numbers_of(self.problem(now, 1.0)), self._numbers, self._powers)
+        if factor is None:
             changed = [name for name in now if now[name] != self.start[name]]
             raise InputError(
                 f"free: {' and '.join(changed)} change the layer and the liquid each in its own way, and curves for both "
                 "changes are too many; hold one of them, or compare fits with several values of it"
             )
-        return math.exp(factors[0]) if factors else 1.0
+        return factor, apart
+
+    def acts_like_load(self, values: Mapping[str, float]) -> float:
+        """Factor of the load that does to the normalised layer and liquid what the parameters do, see `moved`."""
+        return self.moved(values)[0]
+
+    @cached_property
+    def varied(self) -> tuple[Path, ...]:
+        """Numbers that the fitted parameters change and no load does."""
+        found = (self.moved(self.start | {name: STEP * self.start[name]})[1] for name in self._acting)
+        return tuple(sorted({path for each in found for path in each}))
+
+    def numbers(self, values: Mapping[str, float]) -> tuple[float, ...]:
+        """Values of the numbers that are `varied`."""
+        apart = self.moved(values)[1] if self.varied else {}
+        return tuple(apart.get(path, self._numbers[path]) for path in self.varied)
 
     def holds_for(self, values: Mapping[str, float]) -> bool:
-        """Whether the curves are those of some parameters: the loads lie within them, and the laws are those of `start`."""
+        """Whether the curves are those of some parameters: loads and numbers lie within them, and the laws are `start`'s."""
         assert self.family is not None
-        numbers = (_numbers(self.problem(self.start | {"viscosity": each["viscosity"]}, 1.0)) for each in (self.start, values))
-        same = all(abs(math.log(now / before)) < WEAK for before, now in zip(*numbers, strict=True))
+        now = numbers_of(self.problem(self.start | {name: values[name] for name in self._weak if name in values}, 1.0))
+        if not all(abs(math.log(now[path] / before)) < WEAK for path, before in self._numbers.items()):
+            return False
+        pairs = zip(self.family.numbers, self.numbers(values), strict=True)
+        if not all((1 - SAME) * nodes[0] <= number <= (1 + SAME) * nodes[-1] for nodes, number in pairs):
+            return False
         if self.family.loads.size == 1:
-            return same
+            return True
         loads = self.data.load * self.acts_like_load(values)
-        within = self.family.loads[0] <= (1 + SAME) * loads.min() and loads.max() <= (1 + SAME) * self.family.loads[-1]
-        return same and bool(within)
+        return bool(self.family.loads[0] <= (1 + SAME) * loads.min() and loads.max() <= (1 + SAME) * self.family.loads[-1])
+
+    def off_centre(self, x: Array) -> bool:
+        """Whether a vector is so near to where the curves end that others around it are worth their time."""
+        low, high = self.bounds()
+        some = np.isfinite(low) & np.isfinite(high) & (not self.linear)
+        middle, half = (high[some] + low[some]) / 2, (high[some] - low[some]) / 2
+        return bool(np.any(np.abs(x[some] - middle) > OFF_CENTRE * half))
 
     def check(self) -> None:
         """Refuse parameters that cannot be fitted together.
@@ -203,29 +241,41 @@ class Model:
         Raises
         ------
         InputError
-            If the friction does not depend on one of them, or the curves cannot follow; see `acts_like_load`.
+            If the friction does not depend on one of them, or the curves cannot follow; see `moved`.
         """
         values = self.first_guess()
         model = replace(self, start=values)
-        for name in self._acting:
+        if not model.linear and np.any(self.data.slide_to_roll != self.data.slide_to_roll[0]):
+            raise InputError(
+                f"{self.data.source}: the film of this liquid depends on the slide-to-roll ratio, and the rows have several; "
+                "fit those of each alone"
+            )
+        for name in model._acting:
             other = values | {name: STEP * values[name]}
-            told = [(*_numbers(each.problem()), each.problem().parameter) for each in map(model.contact, (values, other))]
+            told = [(numbers_of(each.problem()), each.problem().parameter) for each in map(model.contact, (values, other))]
             if told[0] == told[1]:
                 raise InputError(f"free, {name}: the friction does not depend on it")
-            model.acts_like_load(other)
-        model.acts_like_load(values | {name: STEP * values[name] for name in self._acting})
+            model.moved(other)
+        model.moved(values | {name: STEP * values[name] for name in model._acting})
 
     def friction(self, values: Mapping[str, float], data: Measurements | None = None) -> Array:
         """Friction force [N]."""
-        assert self.family is not None
         rows = data or self.data
-        normalised = self.family.friction(
-            rows.load * self.acts_like_load(values),
-            self.beta(values, rows),
-            force=self.force,
-            slide_to_roll=rows.slide_to_roll,
-        )
+        normalised = self.normalised(values, rows.load, self.beta(values, rows), rows.slide_to_roll)
         return self.unit(values, rows) * normalised + values[OFFSET]
+
+    def normalised(
+        self, values: Mapping[str, float], load: ArrayLike, beta: ArrayLike, slide_to_roll: ArrayLike = 2.0
+    ) -> Array:
+        """Friction over (2π/3) G δ² under loads [N] at values of β."""
+        assert self.family is not None
+        return self.family.friction(
+            np.asarray(load) * self.acts_like_load(values),
+            beta,
+            numbers=self.numbers(values) if self.family.numbers else (),
+            force=self.force,
+            slide_to_roll=slide_to_roll,
+        )
 
     def residuals(self, values: Mapping[str, float], data: Measurements | None = None) -> Array:
         """ln(measured/model) for relative noise, else (measured − model)/`scale`."""
@@ -239,7 +289,7 @@ class Model:
         """What is given, else something typical, and the viscosity from the median point and Eq. (28)."""
         values = TYPICAL | {OFFSET: 0.0} | self.start | self.fixed
         values = {name: value for name, value in values.items() if name in self.free or name in self.fixed}
-        if "viscosity" not in values:
+        if "viscosity" not in values and "viscosity" in self.free:
             beta_times_viscosity = self.beta(values | {"viscosity": 1.0})
             normalised = np.abs(self.data.friction) / self.unit(values | {"viscosity": 1.0})
             guesses = beta_times_viscosity * (np.maximum(normalised, 1e-12) / PAPER_FIT[0]) ** (1 / PAPER_FIT[1])
@@ -253,18 +303,27 @@ class Model:
         if self.family is not None:
             low, high = min(low, self.family.low), max(high, self.family.high)
         # From one round to the next only what the curves cannot follow changes, so that most of them are known.
-        start = values if self.family is None else self.start | {"viscosity": values["viscosity"]}
-        model = replace(self, start=dict(start))
+        weak = {name: values[name] for name in self._weak if name in values}
+        start = values if self.family is None else self.start | weak
+        if self.family is None and not self.linear:
+            start = start | {name: math.exp(COARSE * round(math.log(start[name]) / COARSE)) for name in self._acting}
+        model = replace(self, start=dict(start), family=None)
         factor = model.acts_like_load(values)
         shifted = any(
-            abs(model.acts_like_load(values | {name: STEP * values[name]}) / factor - 1) > SAME for name in self._acting
+            abs(model.acts_like_load(values | {name: STEP * values[name]}) / factor - 1) > SAME for name in model._acting
         )
+        varied = model.varied
+
+        def problem(load: float, *numbers: float) -> Problem:
+            return with_numbers(self.problem(model.start, load), dict(zip(varied, numbers, strict=True)))
+
         family = load_family(
-            lambda load: self.problem(model.start, load),
+            problem,
             self.data.load * factor,
             _half_decade(low, math.floor),
             _half_decade(high, math.ceil),
-            spread=SPREAD if shifted else 1.0,
+            spread=SPREAD[model.linear] if shifted else 1.0,
+            numbers=[nodes_around(path, number) for path, number in zip(varied, model.numbers(values), strict=True)],
             region=region,
             accuracy=ACCURACY,
             progress=progress,
@@ -275,18 +334,6 @@ class Model:
 def _half_decade(beta: float, rounded: Any) -> float:
     """The next half decade, so that curves over a little more or less are solved at the same β; not for the tiniest shift."""
     return 10 ** (rounded(round(2 * math.log10(beta), 9)) / 2)
-
-
-def _numbers(problem: Problem) -> list[float]:
-    """Numbers of the normalised substrate, liquid and indenter, in the order in which they are declared."""
-
-    def leaves(value: Any) -> list[float]:
-        if isinstance(value, Mapping):
-            return [leaf for each in value.values() for leaf in leaves(each)]
-        return [float(value)] if isinstance(value, int | float) and not isinstance(value, bool) else []
-
-    plain = problem.to_plain()
-    return [leaf for name in ("substrate", "liquid", "indenter") for leaf in leaves(plain.get(name, {})) if leaf > 0]
 
 
 def make_model(
@@ -321,7 +368,7 @@ def make_model(
             known |= known.pop(slot).flat()
     if "radius" not in known:
         raise InputError("radius: missing; expected a length such as '2 mm'")
-    for name, group in (("young_modulus", MODULI), ("viscosity", ("viscosity",))):
+    for name, group in (("young_modulus", MODULI), ("viscosity", ("viscosity", "consistency"))):
         if not set(group) & (known.keys() | set(names)):
             raise InputError(f"{name}: missing; give it or fit it (free)")
     for name in names:

@@ -12,8 +12,9 @@ from scipy import stats
 from scipy.optimize import brentq
 
 from softlube.errors import NotConvergedError
-from softlube.experiments.friction_model import Model, unit_of
-from softlube.experiments.optimum import Optimum, optimise
+from softlube.experiments.friction_model import Model
+from softlube.experiments.optimum import Optimum, Parametric, optimise
+from softlube.experiments.parameters import unit_of
 from softlube.solvers.progress import Listener, Progress
 
 Array = NDArray[np.floating]
@@ -58,7 +59,7 @@ class Estimate:
         return f"{self.value:.{digits}g}", low, high
 
 
-def profile(model: Model, optimum: Optimum, name: str, confidence: float, progress: Listener | None = None) -> Estimate:
+def profile(model: Parametric, optimum: Optimum, name: str, confidence: float, progress: Listener | None = None) -> Estimate:
     """Interval of one parameter by the profile of the likelihood, the scatter unknown.
 
     With the parameter held at θ and the others fitted again the sum of squares is S(θ).  The interval holds where
@@ -107,6 +108,12 @@ def profile(model: Model, optimum: Optimum, name: str, confidence: float, progre
     return _estimate(model, name, best, ends)
 
 
+def correlation_of(covariance: Array) -> Array:
+    """Correlations, from a covariance."""
+    deviations = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
+    return covariance / np.outer(deviations, deviations)
+
+
 def bootstrap(
     model: Model,
     optimum: Optimum,
@@ -135,7 +142,7 @@ def bootstrap(
     return estimates, np.atleast_2d(np.cov(samples.T))
 
 
-def _estimate(model: Model, name: str, best: Array, ends: Sequence[float | None]) -> Estimate:
+def _estimate(model: Parametric, name: str, best: Array, ends: Sequence[float | None]) -> Estimate:
     k = model.free.index(name)
 
     lowest = -math.inf if name == "friction_offset" else 0.0
@@ -144,6 +151,6 @@ def _estimate(model: Model, name: str, best: Array, ends: Sequence[float | None]
     return Estimate(value, lowest if low is None else low, math.inf if high is None else high, unit_of(name))
 
 
-def _value(model: Model, best: Array, k: int, x: float) -> float:
+def _value(model: Parametric, best: Array, k: int, x: float) -> float:
     """The k-th parameter in SI where the vector's k-th entry is x."""
     return model.values(np.array([*best[:k], x, *best[k + 1 :]]))[model.free[k]]

@@ -27,6 +27,7 @@ from softlube.experiments.curves import Computing, clipped
 from softlube.experiments.nodes import Node, at, solving
 from softlube.model.indenters import Paraboloid
 from softlube.model.liquids import NewtonianLaw
+from softlube.model.motions import FIXED_BALL
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel
 from softlube.model.summary import FunctionOfBeta
@@ -54,6 +55,7 @@ ROOM = 3.0
 β_load = 5, where the height h₀ changes its sign, are large only because they are safe."""
 MASTER = {"film_center": "film_center", "film_min": "film_min", "total": "friction_total", "sphere": "friction_domain"}
 """Quantities of the master curve by the names that a load curve gives them; the frictions over `DOMAIN`."""
+FRICTIONS = ("total", "sphere")
 
 
 def parse_region(text: str) -> str | float:
@@ -94,14 +96,18 @@ class LoadCurve(FunctionOfBeta):
         Where the friction is counted: a radius in units of that of the dry contact under the load, which stays where it is when
         the speed changes; or the name of one, "contact" (1) or "domain" (2, the paper's).
     functions : mapping of str to callable
-        Value and absolute error as functions of β_load: the films over δ, and for sliding without rolling the whole friction
-        ("total") and the shear on the sphere ("sphere") over (2π/3) G δ².
+        Value and absolute error as functions of β_load: the films over δ, and the whole friction ("total") and the shear on the
+        sphere ("sphere") over (2π/3) G δ², for sliding without rolling if the curve is `linear`.
+    linear : bool
+        Whether the shear stress is in proportion to the shear rate.  If not, the film depends on the slide-to-roll ratio, and
+        the curve is that of the problem's own.
     """
 
     low: float
     high: float
     region: str | float
     functions: Mapping[str, Callable[[Array], tuple[Array, Array]]]
+    linear: bool = True
 
     def _range(self) -> tuple[float, float]:
         return self.low, self.high
@@ -131,10 +137,11 @@ class LoadCurve(FunctionOfBeta):
             back, too, by ∫ p ∂h/∂x dA = −2P, while ∫ p ∂w/∂x dA = 0 for an elastic substrate.  Or C + P, the shear of the
             liquid on the sphere, Eq. (27a).  Or C alone, the mean of the shear on both surfaces.
         slide_to_roll : array_like
-            Difference of the surface speeds over their mean; 2 without rolling, as in the paper.
+            Difference of the surface speeds over their mean; 2 without rolling, as in the paper.  Counts for nothing if the
+            curve is not `linear`.
         """
         (total, total_error), (sphere, sphere_error) = (self._at(name, beta_load) for name in ("total", "sphere"))
-        sliding = np.asarray(slide_to_roll, dtype=float) / 4
+        sliding = np.asarray(slide_to_roll if self.linear else FIXED_BALL, dtype=float) / 4
         # C S/2 ∓ P from C − P and C + P.
         rolling = {"total": 0.5, "sphere": -0.5, "couette": 0.0}[force]
         of_total, of_sphere = sliding + rolling, sliding - rolling
@@ -199,6 +206,7 @@ def load_curves(
     wanted: Sequence[tuple[Problem, float, float]],
     *,
     rows: Sequence[Sequence[float]] = (),
+    films: bool = True,
     region: str | float = DOMAIN,
     accuracy: float = ACCURACY,
     progress: Listener | None = None,
@@ -212,6 +220,8 @@ def load_curves(
     rows : sequence of sequence of float
         β_load at which each will be read, if that is known: solutions are then placed there, see
         `softlube.experiments.adaptive.place`.
+    films : bool
+        Whether the films are asked for, too; without, fewer solutions are enough.
     region, accuracy, progress
         See `load_curve`.
     """
@@ -229,23 +239,30 @@ def load_curves(
         computing = Computing(nodes, accuracy, progress)
         curves = {
             problem: _from_table(problem, *ends, region, accuracy)
-            or _computed(computing, problem, *ends, region, sorted(read[problem]))
+            or _computed(computing, problem, *ends, region, sorted(read[problem]), list(MASTER if films else FRICTIONS))
             for problem, ends in ranges.items()
         }
     return [curves[at(problem, 1.0)] for problem, _, _ in wanted]
 
 
 def _computed(
-    computing: Computing, problem: Problem, low: float, high: float, region: str | float, rows: Sequence[float]
+    computing: Computing,
+    problem: Problem,
+    low: float,
+    high: float,
+    region: str | float,
+    rows: Sequence[float],
+    names: Sequence[str],
 ) -> LoadCurve:
     radius = radius_of(region)
 
     def read(node: Node) -> Numbers:
         return {name: node.quantities[name] for name in FILMS} | node.friction(radius)
 
-    functions = computing.curves(problem, low, high, list(MASTER), read, rows)
+    functions = computing.curves(problem, low, high, names, read, rows)
     ends = [(float(each.beta[0]), float(each.beta[-1])) for each in functions.values()]
-    return LoadCurve(max(first for first, _ in ends), min(last for _, last in ends), region, functions)
+    low, high = max(first for first, _ in ends), min(last for _, last in ends)
+    return LoadCurve(low, high, region, functions, linear=problem.liquid.linear)
 
 
 def _from_table(problem: Problem, low: float, high: float, region: str | float, accuracy: float) -> LoadCurve | None:

@@ -5,13 +5,17 @@ the lighter the load, and an oil thickens the less: there each load has a curve 
 their curves are taken; else those of Chebyshev's points in ln(load), so many that the polynomial through them is as accurate as
 they are.  The polynomial is one of the logarithm of the friction's Couette part and of its Poiseuille part, neither of which
 changes sign: under an oil they rise by orders of magnitude with the load.
+
+Other numbers of the normalised problem may vary, too, such as the index of a liquid that thins with shear: then there are
+curves for nodes of each, and polynomials in their logarithms.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +32,8 @@ MOST_CURVES = 8
 """Different loads up to which each has its own curve."""
 LEVELS = (3, 5, 9)
 """Numbers of nested Chebyshev points; a level is enough where the one before it predicts it."""
+LEVEL = 5
+"""The level where other numbers vary, too, and curves are dear."""
 INWARDS = 1.1
 """Factor of β over which the slope at the end of a curve is taken."""
 
@@ -41,11 +47,15 @@ class LoadFamily:
     loads : ndarray, shape (curves,)
         Rising [N].
     curves : tuple of LoadCurve
-        Their curves; one for all loads where it does not depend on the load.
+        Their curves; one for all loads where it does not depend on the load.  Those of all loads stand together, for each
+        combination of the `numbers`.
+    numbers : tuple of ndarray
+        Nodes of other numbers that vary, each rising.
     """
 
     loads: Array
     curves: tuple[LoadCurve, ...]
+    numbers: tuple[Array, ...] = ()
 
     @property
     def low(self) -> float:
@@ -57,15 +67,36 @@ class LoadFamily:
         """Greatest β_load that all curves hold at."""
         return min(curve.high for curve in self.curves)
 
-    def friction(self, load: ArrayLike, beta_load: ArrayLike, *, force: str = "total", slide_to_roll: ArrayLike = 2.0) -> Array:
+    def friction(
+        self,
+        load: ArrayLike,
+        beta_load: ArrayLike,
+        *,
+        numbers: Sequence[float] = (),
+        force: str = "total",
+        slide_to_roll: ArrayLike = 2.0,
+    ) -> Array:
         """Friction over (2π/3) G δ², see `softlube.experiments.load_curve.LoadCurve.friction`.
 
+        Parameters
+        ----------
+        load : array_like
+            Load [N].
+        beta_load : array_like
+            β of Eq. (30).
+        numbers : sequence of float
+            The other numbers that vary.
+        force, slide_to_roll
+            See there.
+
+        Notes
+        -----
         Beyond the ends of the curves it goes on with its last slope in β, and with the value at the end in the load, so that a
         search does not fall off.
         """
         load, beta, rolls = np.broadcast_arrays(*(np.asarray(each, dtype=float) for each in (load, beta_load, slide_to_roll)))
         inside = np.clip(beta, self.low, self.high)
-        weights = self._weights(load)
+        weights = self._weights(load, numbers)
         found = self._inside(weights, inside, force, rolls)
         for end, inner in ((self.low, INWARDS * self.low), (self.high, self.high / INWARDS)):
             beyond = beta < end if end == self.low else beta > end
@@ -80,16 +111,26 @@ class LoadFamily:
         couette = np.array([curve.friction(beta, force="couette")[0] for curve in self.curves])
         poiseuille = couette - [curve.friction(beta, force="total")[0] for curve in self.curves]
         sign = {"total": -1.0, "sphere": 1.0, "couette": 0.0}[force]
-        return _between(couette, weights) * rolls / FIXED_BALL + sign * _between(poiseuille, weights)
+        sliding = rolls / FIXED_BALL if self.curves[0].linear else 1.0
+        return _between(couette, weights) * sliding + sign * _between(poiseuille, weights)
 
-    def _weights(self, load: Array) -> Array:
-        """What each curve counts at some loads, shape (curves, …): Lagrange's polynomials in ln(load)."""
-        nodes, x = np.log(self.loads), np.log(np.clip(load, self.loads[0], self.loads[-1]))
-        weights = np.ones((nodes.size, *x.shape))
-        for k, node in enumerate(nodes):
-            for other in np.delete(nodes, k):
-                weights[k] *= (x - other) / (node - other)
+    def _weights(self, load: Array, numbers: Sequence[float] = ()) -> Array:
+        """What each curve counts at some loads, shape (curves, …): Lagrange's polynomials in ln(load) and the logarithms."""
+        weights = _lagrange(self.loads, load)
+        for nodes, number in zip(reversed(self.numbers), reversed(numbers), strict=True):
+            own = _lagrange(nodes, np.full(load.shape, number))
+            weights = (own[:, None] * weights[None]).reshape(-1, *load.shape)
         return weights
+
+
+def _lagrange(places: Array, at: Array) -> Array:
+    """Lagrange's polynomials in the logarithm, shape (places, …); beyond the ends their values there."""
+    nodes, x = np.log(places), np.log(np.clip(at, places[0], places[-1]))
+    weights = np.ones((nodes.size, *x.shape))
+    for k, node in enumerate(nodes):
+        for other in np.delete(nodes, k):
+            weights[k] *= (x - other) / (node - other)
+    return weights
 
 
 def _between(values: Array, weights: Array) -> Array:
@@ -102,12 +143,13 @@ def _between(values: Array, weights: Array) -> Array:
 
 
 def load_family(
-    problem_at: Callable[[float], Problem],
+    problem_at: Callable[..., Problem],
     loads: ArrayLike,
     low: float,
     high: float,
     *,
     spread: float = 1.0,
+    numbers: Sequence[Array] = (),
     region: str | float = 2.0,
     accuracy: float = ACCURACY,
     progress: Listener | None = None,
@@ -117,13 +159,15 @@ def load_family(
     Parameters
     ----------
     problem_at : callable
-        The contact's problem under a load [N]; its β_load counts for nothing.
+        The contact's problem under a load [N], and with other numbers if there are any; its β_load counts for nothing.
     loads : array_like
         Loads that are asked for [N].
     low, high : float
         Range of β_load.
     spread : float
         Factor by which other loads may be asked for later, heavier and lighter.
+    numbers : sequence of ndarray
+        Nodes of other numbers that vary, each rising.
     region, accuracy, progress
         See `softlube.experiments.load_curve.load_curve`.
 
@@ -133,23 +177,28 @@ def load_family(
         If no part of the range can be solved at one of the loads.
     """
     different = np.unique(np.asarray(loads, dtype=float))
+    everywhere = [tuple(map(float, each)) for each in product(*numbers)]
+    middle = everywhere[len(everywhere) // 2]
 
-    def curves_of(chosen: Array) -> tuple[LoadCurve, ...]:
-        wanted = [(problem_at(float(each)), low, high) for each in chosen]
-        return tuple(load_curves(wanted, region=region, accuracy=accuracy, progress=progress))
+    def family_at(chosen: Array, places: Sequence[tuple[float, ...]]) -> LoadFamily:
+        wanted = [(problem_at(float(load), *place), low, high) for place in places for load in chosen]
+        curves = tuple(load_curves(wanted, films=not numbers, region=region, accuracy=accuracy, progress=progress))
+        return LoadFamily(chosen, curves, tuple(numbers) if len(places) == len(everywhere) else ())
 
     ends = np.array([different[0] / spread, different[-1] * spread])
-    if len({at(problem_at(float(each)), 1.0) for each in ends}) == 1:
-        return LoadFamily(ends[:1], curves_of(ends[:1]))
+    if len({at(problem_at(float(each), *middle), 1.0) for each in ends}) == 1:
+        return family_at(ends[:1], everywhere)
     if different.size <= MOST_CURVES and spread == 1:
-        return LoadFamily(different, curves_of(different))
+        return family_at(different, everywhere)
     # Whole octaves, so that curves are found again when the range has changed a little.
     first, last = math.floor(math.log2(ends[0])), math.ceil(math.log2(ends[1]))
 
     def family_of(count: int) -> LoadFamily:
         chosen = 2 ** ((first + last) / 2 - (last - first) / 2 * np.cos(np.pi * np.arange(count) / (count - 1)))
-        return LoadFamily(chosen, curves_of(chosen))
+        return family_at(chosen, everywhere)
 
+    if numbers:
+        return family_of(LEVEL)
     family = family_of(LEVELS[0])
     for count in LEVELS[1:]:
         before, family = family, family_of(count)

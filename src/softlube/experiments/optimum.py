@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sized
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from softlube.errors import NotConvergedError
-from softlube.experiments.friction_model import Model, unit_of
+from softlube.experiments.friction_model import Model
+from softlube.experiments.parameters import unit_of
 from softlube.solvers.progress import Listener
 
 Array = NDArray[np.floating]
@@ -19,6 +22,43 @@ BEYOND = 3.0
 """Factor of β by which rows may lie above what could be solved: the curve is all but straight there, in logarithms."""
 ROUNDS = 6
 """Times that the curve is widened to where the fit has led."""
+
+
+class Parametric(Protocol):
+    """What least squares and intervals ask of a model: a dataclass that fits some of its parameters, and holds others."""
+
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+
+    @property
+    def data(self) -> Sized:
+        """What is described."""
+        ...
+
+    @property
+    def fixed(self) -> Mapping[str, float]:
+        """Values of the parameters that are held, in SI."""
+        ...
+
+    @property
+    def free(self) -> tuple[str, ...]:
+        """Parameters that are fitted."""
+        ...
+
+    def values(self, x: Array) -> dict[str, float]:
+        """All parameters in SI from the vector that is fitted."""
+        ...
+
+    def vector(self, values: Mapping[str, float]) -> Array:
+        """Inverse of `values`."""
+        ...
+
+    def residuals(self, values: Mapping[str, float]) -> Array:
+        """What remains of the data, of which the squares are added up."""
+        ...
+
+    def bounds(self) -> tuple[Array, Array]:
+        """Least and greatest vector."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -40,7 +80,7 @@ class Optimum:
     covariance: Array
 
 
-def optimise(model: Model, start: dict[str, float], *, robust: bool = False) -> Optimum:
+def optimise(model: Parametric, start: Mapping[str, float], *, robust: bool = False) -> Optimum:
     """Least squares, or with `robust` a loss that grows linearly beyond the scatter (soft L1), so that outliers hardly count.
 
     Raises
@@ -113,7 +153,9 @@ def solve_model(
         low, high, beta = model.family.low, BEYOND * model.family.high, model.beta(values)
         inside = low <= beta.min() and beta.max() <= (high if not remaining else model.family.high)
         if inside and model.holds_for(values):
-            return model, optimum
+            if not (remaining and model.off_centre(optimum.x)):
+                return model, optimum
+            model = replace(model, family=None)
         if not remaining and inside:
             raise NotConvergedError(
                 f"the fit leads from one set of curves to the next, at last to {_listed(model, values)}; start from there, or "

@@ -11,7 +11,7 @@ import pandas as pd
 
 from softlube.errors import InputError, warn
 from softlube.experiments.load_curve import ACCURACY, FILMS, LoadCurve, check_friction, load_curves
-from softlube.model.motions import FIXED_BALL, Sliding
+from softlube.model.motions import FIXED_BALL, Rolling
 from softlube.model.quantities import header
 from softlube.model.summary import MOST_ROWS, Row, Summary, spread
 from softlube.physical.contact import Contact
@@ -154,7 +154,7 @@ def stribeck_curve(
     height = contact.roughness if roughness is None and isinstance(contact, Contact) else roughness
     height = None if height is None else to_si("roughness", height)
 
-    at_unit_speed = [_under(contact, load) for load in in_si]
+    at_unit_speed = [_under(contact, load, slide_to_roll) for load in in_si]
     problems = [each.problem() for each in at_unit_speed]
     slow_beta = None if ends[0] is None else [problem.parameter / ends[0] for problem in problems]
     fast_beta = None if ends[1] is None else [problem.parameter / ends[1] for problem in problems]
@@ -191,18 +191,19 @@ def doubts(contact: Contact | Rig, table: pd.DataFrame) -> tuple[str, ...]:
         newtons = float(str(load))
         worst = int(solved["friction [N]"].abs().argmax())
         friction, speed = (float(solved[name].iloc[worst]) for name in ("friction [N]", "entrainment_speed [m/s]"))
-        under = _under(contact, newtons)
+        under = _under(contact, newtons, float(solved["slide_to_roll"].iloc[worst]))
         here = under.width_doubt(under.dry_radius)
         here += [f"at {speed:.3g} m/s {each}" for each in under.traction_doubt(friction, newtons, under.dry_radius)]
         found += [f"load {newtons:.4g} N: {each}" for each in here]
     return tuple(found)
 
 
-def _under(contact: Contact | Rig, load: float) -> Contact:
+def _under(contact: Contact | Rig, load: float, slide_to_roll: float) -> Contact:
     """The contact under another load, with an entrainment speed of 1 m/s."""
+    motion = Rolling(1.0, slide_to_roll=slide_to_roll)
     if isinstance(contact, Rig):
-        return contact.contact(load=load, entrainment_speed=1.0)
-    return Contact(**vars(contact) | {"load": load, "indentation": None, "motion": Sliding(2.0)})
+        contact = contact.contact(load=load, entrainment_speed=1.0)
+    return Contact(**vars(contact) | {"load": load, "indentation": None, "motion": motion})
 
 
 def _inside(beta: Any, curve: LoadCurve) -> Any:

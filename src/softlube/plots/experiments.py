@@ -39,7 +39,8 @@ MOST_DOTS = 20_000
 """Points drawn; more would be a blot, and a file of many megabytes."""
 
 
-def _write(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
+def write(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
+    """Write a picture if a path is given; the picture."""
     if path is not None:
         check_format("plot", path)
         write_whole({path: image(figure, path, dpi=200)})
@@ -67,7 +68,7 @@ def plot_fit(found: Fit, path: str | os.PathLike[str] | None = None) -> Figure:
         estimate = ", ".join(f"{name.replace('_', ' ')} = {e.value:.3g} {e.unit}" for name, e in found.estimates.items())
         source = printable(found.model.data.source)  # a file may be called "$x$.csv"
         figure.suptitle(f"{source}: {estimate}", fontsize=8, parse_math=False)
-        return _write(figure, path)
+        return write(figure, path)
 
 
 def _some(size: int) -> slice:
@@ -85,10 +86,10 @@ def _collapse(ax: Axes, found: Fit) -> None:
     low, high = max(beta.min() / 2, family.low), min(beta.max() * 2, family.high)
     line = np.geomspace(low, high, 200)
     # Where each load has a curve of its own, those of the lightest and the heaviest.
-    loads = np.array([load.min(), load.max()]) / 1e3 * found.model.acts_like_load(found.values)
+    loads = np.array([load.min(), load.max()]) / 1e3
     for number, (load_drawn, style) in enumerate(zip(loads[: family.loads.size], ("-", "--"), strict=False)):
         name = "softlube, sliding" if family.loads.size == 1 else f"softlube, {('lightest', 'heaviest')[number]} load"
-        ax.plot(line, family.friction(load_drawn, line, force=found.model.force), style, color="black", lw=1, label=name)
+        ax.plot(line, found.model.normalised(found.values, load_drawn, line), style, color="black", lw=1, label=name)
     ax.plot(line, PAPER_FIT[0] * line ** -PAPER_FIT[1], ":", color="black", lw=1, label="paper, Eq. (28)")
     ax.set(xscale="log", yscale="log", xlabel=r"$\beta$", ylabel=r"$3F/(2\pi G\delta^2)$")
     label_logarithmic(ax)
@@ -154,7 +155,7 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
         friction.legend(handles=loads)
         for axes in (friction, film):
             label_logarithmic(axes)
-        return _write(figure, path)
+        return write(figure, path)
 
 
 def _in_regimes(ax: Axes, x: Array, y: Array, ratio: Array, style: str, drawn: dict[str, Any]) -> None:

@@ -88,7 +88,7 @@ def film_constant(index: float = 1.0, slide_to_roll: float = 2.0) -> float:
     from softlube.theory.inlet import inlet
     from softlube.theory.power_law import PowerLawFlow
 
-    layer = inlet(flow=PowerLawFlow(index, slide_to_roll if index != 1 else 0.0))
+    layer = inlet(flow=PowerLawFlow(index, abs(slide_to_roll) if index != 1 else 0.0))
     entrainment = ((2 * index + 1) / index) ** index / 3
     return float(EDGE_PRESSURE ** (-4 / (3 * index + 2)) * entrainment ** (3 / (3 * index + 2)) * layer.film_inside)
 
