@@ -5,11 +5,14 @@ import pytest
 
 from softlube import line
 from softlube.discretization.line.displacement import surface
+from softlube.discretization.line.flow import mean_stress
 from softlube.discretization.line.memory import remembered
 from softlube.discretization.line.panels import Panels
 from softlube.model.dry_line import dry_line
+from softlube.model.liquids import CarreauYasudaLaw, EyringLaw, LimitingStressLaw, NewtonianLaw, OstwaldLaw
 from softlube.model.substrates import HalfSpaceKernel, LayerKernel, ViscoelasticKernel
 from softlube.theory.inlet import inlet, outlet
+from softlube.theory.power_law import PowerLawFlow
 
 EDGE_PRESSURE = np.sqrt(2) / (2 * np.pi)
 """A in p = A√s at the edge of a cylinder's Hertz contact, p = √(1 − x²)/(2π)."""
@@ -80,6 +83,52 @@ def test_the_friction_is_what_film_and_substrate_lose(beta, length):
     film += 6 / (beta * (fields.front + panels.edges[-1]))  # beyond the mesh
     lost = film + substrate_loss(fields, share, length)
     assert solution.friction_total == pytest.approx(lost, rel=1e-5)
+
+
+@pytest.mark.parametrize(("index", "slide_to_roll"), [(0.8, 2.0), (0.8, 0.0), (0.6, 2.0), (0.4, 0.0)])
+def test_the_inlet_of_a_power_law(index, slide_to_roll):
+    """Five digits of the inlet's film, `softlube.theory.inlet` with the flux of a power law, in sliding and in pure rolling."""
+    stress, beta, films = 1e-3, (1e6, 1e7), []
+    for each in beta:
+        liquid = OstwaldLaw(NewtonianLaw(), stress, index)
+        solution = line.solve(each, liquid=liquid, slide_to_roll=slide_to_roll)
+        formed = each * (each * stress) ** (index - 1)  # with the viscosity at the shear rate v/H
+        films.append(solution.film_carried * formed ** (3 / (3 * index + 2)))
+    factor = (beta[1] / beta[0]) ** (2 * index / (3 * index + 2))
+    film = (factor * films[1] - films[0]) / (factor - 1)
+    layer = inlet(flow=PowerLawFlow(index, slide_to_roll))
+    entrainment = ((2 * index + 1) / index) ** index / 3
+    law = EDGE_PRESSURE ** (-4 / (3 * index + 2)) * entrainment ** (3 / (3 * index + 2)) * layer.film_inside
+    assert film == pytest.approx(law, rel=2e-5)
+
+
+def test_liquids_that_hardly_thin_are_newtonian():
+    plain = line.solve(1e3)
+    for liquid in (
+        CarreauYasudaLaw(NewtonianLaw(), time=1e-9, index=0.5),
+        EyringLaw(NewtonianLaw(), 1e6),
+        LimitingStressLaw(NewtonianLaw(), 1e6, 0.0),
+        OstwaldLaw(NewtonianLaw(), 1.0, 1.0),
+    ):
+        found = line.solve(1e3, liquid=liquid)
+        for name, value in plain.quantities.items():
+            assert found.quantities[name] == pytest.approx(value, rel=1e-6, abs=1e-6), (liquid.kind, name)
+
+
+def test_a_liquid_that_thins_dissipates_what_the_friction_does():
+    """C − P = β∫∫ uφψ(τ) τ² dζ dx over the film, τ = τm + 6ζup′."""
+    beta, liquid = 1e3, CarreauYasudaLaw(NewtonianLaw(), time=50.0, index=0.5)
+    solution = line.solve(beta, liquid=liquid)
+    fields = solution.fields
+    film, gradient, weights = fields.film, fields.state.gradient, fields.panels.weights
+    mean = mean_stress(fields.equations.problem, film, gradient, fields.pressure)
+    zeta, weight = np.polynomial.legendre.leggauss(60)
+    stress = mean[:, None] + 3 * (film * gradient)[:, None] * zeta
+    psi = np.exp(liquid.fluidity_at(np.maximum(np.abs(stress), 1e-150))[0])
+    lost = beta * weights @ (film * ((psi * stress**2) @ weight) / 2)
+    lost += sum(each.couette - each.poiseuille for each in fields.equations.outside)
+    assert solution.friction_total == pytest.approx(lost, rel=1e-6)
+    assert solution.friction_total < 0.5 * line.solve(beta).friction_total
 
 
 def test_times_that_are_extreme_or_equal():

@@ -136,6 +136,7 @@ class LineContact(Described):
             cavitation=self.cavitation,
             substrate=self.substrate_for(height),
             liquid=self.liquid_for(height),
+            slide_to_roll=self.slide_to_roll,
         )
 
     @watched
@@ -181,7 +182,8 @@ class LineContact(Described):
         found = {name: q.scaled(*units[LINE[name].dimension]) for name, q in quantities.items()}
         found["load"] = Quantity(self.load_per_length, 0.0, "N/m")
         couette, poiseuille = found["friction_couette"], found["friction_poiseuille"]
-        share = self.slide_to_roll / FIXED_BALL
+        # A problem whose liquid's shear stress is not in proportion to the shear rate has the motion's own ratio.
+        share = self.slide_to_roll / FIXED_BALL if self.liquid_for(self.unit_height).linear else 1.0
         if share != 1:
             error = abs(share) * couette.error + poiseuille.error
             found["friction_couette"] = couette = Quantity(share * couette, abs(share) * couette.error, "N/m")

@@ -23,7 +23,7 @@ def test_integral_from_its_derivative_and_its_ends():
     def f(x):
         return x**4 - 2 * x
 
-    found = panels.integral_coefficients(4 * s**3 - 2, (f(-3.0), f(6.0)))
+    found = panels.integral_coefficients(4 * s**3 - 2, np.array([f(-3.0), f(6.0)]))
     assert panels.evaluate(found, places) == pytest.approx(f(places), abs=1e-10)
     at_nodes = panels.integral_at_nodes @ (4 * s**3 - 2) + panels.of_ends(panels.values_at_nodes) @ [f(-3.0), f(6.0)]
     assert at_nodes == pytest.approx(f(s), abs=1e-10)

@@ -4,6 +4,7 @@ Normalised like the contact of a sphere, with the unit of height b²/R, where b 
 load (Hertz): lengths over b, films over b²/R, pressures over 4πG b/R (E* in place of 4G).  Then
 
     β u³ φ(p) p′ = −(u − m/ρ(p))       Reynolds equation, integrated once; m is the flux of mass
+                                       (a liquid that thins with shear: see `softlube.discretization.line.flow`)
     u = h + x²/2 − w,  w = 2∫ p ln|x − x′| dx′       gap and elasticity of a half-plane
     ∫ p dx = 1/4                        load
 
@@ -23,6 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.discretization.line.displacement import Displacement, displacement
+from softlube.discretization.line.flow import NOTHING, Beyond, beyond, driven
 from softlube.discretization.line.panels import Panels
 from softlube.model.exact import LINE_LOAD
 from softlube.model.problem import Problem
@@ -112,44 +114,49 @@ class LineEquations:
         front = float(values[n + 2]) if self.free_boundary else self.scale.front
         return LineState(values[:n], float(values[n]), float(values[n + 1]), front)
 
-    def ends(self, front: float) -> Array:
-        """Pressure at the downstream and at the upstream end: 0 at a free boundary, 4/(3βx³) where the film opens."""
-        downstream, upstream = (front + edge for edge in self.panels.edges[[0, -1]])
-        return np.array([0.0 if self.free_boundary else 1 / downstream**3, 1 / upstream**3]) * 4 / (3 * self.beta)
+    @cached_property
+    def outside(self) -> tuple[Beyond, Beyond]:
+        """What lies beyond the downstream and the upstream end; nothing behind a free boundary."""
+        downstream, upstream = (self.scale.front + edge for edge in self.panels.edges[[0, -1]])
+        return NOTHING if self.free_boundary else beyond(self.problem, downstream), beyond(self.problem, upstream)
 
-    def beyond(self, front: float) -> float:
-        """Load beyond the mesh, ∫ 4/(3βx³) dx upstream and, without a free boundary, downstream."""
-        downstream, upstream = (front + edge for edge in self.panels.edges[[0, -1]])
-        return 2 / (3 * self.beta) * (upstream**-2 - (0.0 if self.free_boundary else downstream**-2))
+    @property
+    def ends(self) -> Array:
+        """Pressure at the downstream and at the upstream end."""
+        return np.array([each.pressure for each in self.outside])
+
+    @property
+    def load_beyond(self) -> float:
+        """Load beyond the mesh."""
+        return sum(each.load for each in self.outside)
 
     def film(self, state: LineState) -> Array:
         """Film at the nodes and at the downstream end, shape (size + 1,)."""
         x = state.front + self.displacement.places
-        return state.height + x**2 / 2 - self.displacement.of(state.gradient, self.ends(state.front))
+        return state.height + x**2 / 2 - self.displacement.of(state.gradient, self.ends)
 
     def pressure(self, state: LineState) -> Array:
         """Pressure at the nodes."""
         panels = self.panels
-        return panels.integral_at_nodes @ state.gradient + panels.of_ends(panels.values_at_nodes) @ self.ends(state.front)
+        return panels.integral_at_nodes @ state.gradient + panels.of_ends(panels.values_at_nodes) @ self.ends
 
     def linearise(self, vector: Array) -> LineLinearised:
         """Residual and Jacobian; see `softlube.solvers.newton`."""
         state, n = self.state(vector), self.panels.size
         film, pressure, gradient = self.film(state), self.pressure(state), state.gradient
         u, x = film[:-1], state.front + self.displacement.places
-        fluidity, fluidity_slope = self.problem.liquid.fluidity(pressure)
+        flow = driven(self.problem, u, gradient, pressure)
         density, density_slope = self.problem.liquid.density(pressure)
-        mobility = self.beta * u**3 * fluidity
-        ends, loading = self.ends(state.front), self.displacement
+        ends, loading = self.ends, self.displacement
+
         matrix = np.zeros((n + 3, n + 3))
         residual = np.zeros(n + 3)
-        residual[:n] = mobility * gradient + u - state.flux / density
-        by_film = 3 * self.beta * u**2 * fluidity * gradient + 1
-        by_pressure = self.beta * u**3 * fluidity_slope * gradient + state.flux * density_slope / density**2
+        residual[:n] = flow.flux + u - state.flux / density
+        by_film, by_pressure = flow.by_film + 1, flow.by_pressure + state.flux * density_slope / density**2
         matrix[:n, :n] = by_pressure[:, None] * self.panels.integral_at_nodes - by_film[:, None] * self.displacement.matrix[:-1]
-        matrix[np.arange(n), np.arange(n)] += mobility
+        matrix[np.arange(n), np.arange(n)] += flow.by_gradient
         matrix[:n, n], matrix[:n, n + 1], matrix[:n, n + 2] = by_film, -1 / density, by_film * x[:-1]
-        residual[n] = loading.load @ gradient + loading.load_of_ends @ ends + self.beyond(state.front) - LINE_LOAD
+        residual[n] = loading.load @ gradient + loading.load_of_ends @ ends + self.load_beyond - LINE_LOAD
         matrix[n, :n] = loading.load
         residual[n + 1] = ends[1] - ends[0] - self.panels.weights @ gradient
         matrix[n + 1, :n] = -self.panels.weights

@@ -5,6 +5,7 @@ Extrema are those of the polynomials on the panels; integrals are by Gauss's rul
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -14,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.line.displacement import surface
 from softlube.discretization.line.equations import LineEquations, LineState
+from softlube.discretization.line.flow import largest_shear_rate, mean_stress
 from softlube.discretization.line.panels import Panels
 
 Array = NDArray[np.floating]
@@ -72,7 +74,7 @@ class LineFields:
     @cached_property
     def pressure_coefficients(self) -> Array:
         """Legendre coefficients of the pressure on the panels."""
-        return self.panels.integral_coefficients(self.state.gradient, tuple(self.equations.ends(self.front)))
+        return self.panels.integral_coefficients(self.state.gradient, self.equations.ends)
 
     def film_at(self, x: ArrayLike) -> Array:
         """Film at places on the mesh; nan beyond it, such as behind a free boundary."""
@@ -104,7 +106,7 @@ class LineFields:
         rows = surface(self.equations.problem.substrate, self.panels, behind)[: places.size * self.panels.points]
         x = self.front + behind.nodes[: len(rows)]
         moved = self.panels.through_integration(rows) @ self.state.gradient
-        moved += self.panels.of_ends(rows) @ self.equations.ends(self.front)
+        moved += self.panels.of_ends(rows) @ self.equations.ends
         return x, self.state.height + x**2 / 2 - moved
 
 
@@ -144,30 +146,31 @@ def extremum(panels: Panels, coefficients: Array, sign: int, after: float = -np.
 def measure(fields: LineFields) -> dict[str, float]:
     """Quantities of `softlube.model.quantities.LINE` by their names, normalised with the load.
 
-    Frictions are those of a cylinder that does not turn, over the film that bears pressure: from the free boundary, or from
+    Frictions are those of a cylinder that does not turn (of the problem's slide-to-roll ratio, where the film of the liquid
+    depends on that), over the film that bears pressure: from the free boundary, or from
     far downstream, to far upstream, where ∫ dx/u is finite.
     """
     panels, equations, state = fields.panels, fields.equations, fields.state
-    film, pressure, front, beta = fields.film, fields.pressure, fields.front, equations.beta
-    weights, viscosity = panels.weights, equations.problem.liquid.viscosity(pressure)
+    film, pressure, front, problem = fields.film, fields.pressure, fields.front, equations.problem
+    weights, outside = panels.weights, equations.outside
     place, film_min = extremum(panels, fields.film_coefficients, -1)
     highest, pressure_max = extremum(panels, fields.pressure_coefficients, 1)
     _, steepest = extremum(panels, panels.coefficients(state.gradient), -1, after=-front)
-    # Beyond the mesh the film is x²/2, and the pressure 4/(3βx³).
-    open_ends = [2 / (beta * abs(front + edge)) for edge in panels.edges[[0, -1]][int(equations.free_boundary) :]]
-    couette = float(weights @ (viscosity / (beta * film))) + sum(open_ends)
-    poiseuille = float(weights @ (3 * film * state.gradient)) - 3 * sum(open_ends)
+    stress = mean_stress(problem, film, state.gradient, pressure)
+    couette = float(weights @ stress) + sum(each.couette for each in outside)
+    poiseuille = float(weights @ (3 * film * state.gradient)) + sum(each.poiseuille for each in outside)
+    if not math.isfinite(couette) or not math.isfinite(poiseuille):  # under a power law with an index up to 1/2
+        couette = poiseuille = math.nan
     # ∫ p ∂w/∂x dx by parts, with the pressure 0 at both ends.
     displacement = fields.x**2 / 2 - film
     hysteresis = -6 * float(weights @ ((displacement - np.max(displacement)) * state.gradient))
-    fluidity = equations.problem.liquid.fluidity(pressure)[0]
-    sheared = 1 / film + np.abs(3 * beta * film * fluidity * state.gradient)
-    remembers = equations.problem.substrate.memory is not None
+    sheared = largest_shear_rate(problem, film, state.gradient, pressure)
+    remembers = problem.substrate.memory is not None
     values = {
         "load": float(
             equations.displacement.load @ state.gradient
-            + equations.displacement.load_of_ends @ equations.ends(front)
-            + equations.beyond(front)
+            + equations.displacement.load_of_ends @ equations.ends
+            + equations.load_beyond
         ),
         "film_center": float(fields.film_at(0.0)),
         "film_min": film_min,

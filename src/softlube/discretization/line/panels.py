@@ -90,14 +90,14 @@ class Panels:
         """Panels downstream of s = 0: on them integrals are counted from the downstream end, so that round-off decays, too."""
         return int(np.count_nonzero(self.edges[1:] <= 0))
 
-    def integral_coefficients(self, values: Array, ends: tuple[float, float]) -> Array:
+    def integral_coefficients(self, values: Array, ends: Array) -> Array:
         """Legendre coefficients on each panel of a function f.
 
         Parameters
         ----------
         values : ndarray, shape (size,)
             f′ at the points.
-        ends : tuple of float
+        ends : ndarray, shape (2,)
             f at the downstream and at the upstream end.
 
         Returns

@@ -15,6 +15,7 @@ from softlube.discretization.line.panels import Panels
 from softlube.errors import NotConvergedError
 from softlube.model.exact import LINE_LOAD
 from softlube.model.liquids import Liquid
+from softlube.model.liquids.thinning import ThinningLaw
 from softlube.model.problem import Problem
 from softlube.solvers.newton import Iteration, newton
 
@@ -43,7 +44,9 @@ ROUNDS, LARGEST_MESH = 40, 250
 TOLERANCE = 1e-9
 """Of Newton's method: the largest relative change of the film that the next step would make."""
 FIRST_STEP, SHORTEST_STEP = math.log(10.0), 0.01
-"""Continuation in ln β, and in the largest ln η/η₀: the first step, and the shortest before it gives up."""
+"""Continuation in ln β, and in the largest ln η/η₀: the first step, and the shortest, over the first, before it gives up."""
+FIRST_SHARE = 0.5
+"""First step of the share of the thinning."""
 GROWTH = 1.5
 """Factor of the step after one that arrived; one that did not is halved."""
 
@@ -123,7 +126,7 @@ def first(problem: Problem) -> Stage | None:
     edges = width * np.array(FIRST_EDGES)
     panels = Panels(np.concatenate([-edges[:0:-1], edges]) if problem.cavitation == "none" else edges, POINTS)
     s = np.maximum(panels.nodes, 0.0) / width
-    gradient = (s - s**2) * np.exp(-2 * s)
+    gradient = s * (2 - 3 * s**2) / (1 + s**2) ** 3.5  # of p = s²/(1 + s²)^(5/2), which falls like the pressure of an open film
     moved = displacement(problem.substrate, panels)
     gradient *= LINE_LOAD / (moved.load @ gradient)
     front, film = FIRST_FRONT * width, FIRST_FILM * width**2
@@ -171,8 +174,32 @@ def followed(stage: Stage, problem_at: Callable[[float], Problem], start: float,
         yield stage
 
 
+@dataclass(frozen=True)
+class Tempered(ThinningLaw):
+    """A liquid that thins with a share of the logarithm of its fluidity, on the way to the liquid itself.
+
+    Parameters
+    ----------
+    liquid : Liquid
+        The liquid.
+    share : float
+        0 to 1.
+    """
+
+    share: float
+
+    def fluidity_at(self, stress: Array) -> tuple[Array, Array]:
+        """The share of ln ψ and of its derivative."""
+        value, slope = self.liquid.fluidity_at(stress)
+        return self.share * value, self.share * slope
+
+    def flow_curve(self, rate: Array) -> Array:
+        """The rate, which is more than the stress where ψ ≥ 1: a first guess, no more."""
+        return np.maximum(rate, self.liquid.flow_curve(rate))
+
+
 def march(problem: Problem) -> Iterator[Stage]:
-    """Solve a thick film of constant viscosity, then thinner ones, then with the liquid's viscosity.
+    """Solve a thick film of constant viscosity, then thinner ones, then let the liquid thin and thicken.
 
     Yields
     ------
@@ -185,8 +212,9 @@ def march(problem: Problem) -> Iterator[Stage]:
         If the way ends before the problem.
     """
     weak = problem.liquid.weakened(0.0)
+    plain = Tempered(weak, 0.0) if weak.thins else weak
 
-    def at(logarithm: float, liquid: Liquid = weak) -> Problem:
+    def at(logarithm: float, liquid: Liquid = plain) -> Problem:
         beta = problem.parameter if logarithm >= target else math.exp(logarithm)
         return replace(problem, beta_load=beta, liquid=liquid)
 
@@ -199,14 +227,15 @@ def march(problem: Problem) -> Iterator[Stage]:
     if stage is None:
         raise NotConvergedError("no first solution of the line contact was found; report the input.")
     yield stage
-    for thinner in followed(stage, at, start, target, FIRST_STEP):
-        stage = thinner
-        yield stage
-    if weak == problem.liquid:
-        return
-    highest = np.array([np.max(stage.equations.pressure(stage.state))])
-    rise = float(np.log(problem.liquid.viscosity(highest))[0])
-    share = min(1.0, FIRST_STEP / max(rise, FIRST_STEP))
-    yield from followed(
-        stage, lambda part: at(target, problem.liquid if part >= 1 else problem.liquid.weakened(part)), 0.0, 1.0, share
-    )
+    ways: list[tuple[Callable[[float], Problem], float, float, float]] = [(at, start, target, FIRST_STEP)]
+    if weak.thins:
+        ways.append((lambda share: at(target, weak if share >= 1 else Tempered(weak, share)), 0.0, 1.0, FIRST_SHARE))
+    if weak != problem.liquid:
+        ways.append((lambda share: at(target, problem.liquid.weakened(share) if share < 1 else problem.liquid), 0.0, 1.0, 1.0))
+    for problem_at, begin, end, step in ways:
+        if end == 1.0 and step == 1.0:
+            highest = np.array([np.max(stage.equations.pressure(stage.state))])
+            step = min(1.0, FIRST_STEP / max(float(np.log(problem.liquid.viscosity(highest))[0]), FIRST_STEP))
+        for nearer in followed(stage, problem_at, begin, end, step):
+            stage = nearer
+            yield stage

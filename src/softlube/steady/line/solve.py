@@ -7,6 +7,7 @@ import math
 from softlube.discretization.line.measure import LineFields
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.liquids import Liquid, NewtonianLaw
+from softlube.model.motions import FIXED_BALL
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.solvers import budget as time_budget
@@ -31,6 +32,7 @@ def solve(
     cavitation: str = "reynolds",
     substrate: Substrate | None = None,
     liquid: Liquid | None = None,
+    slide_to_roll: float = FIXED_BALL,
     accuracy: float = DEFAULT_ACCURACY,
     budget: float = DEFAULT_BUDGET,
     progress: Listener | None = None,
@@ -48,6 +50,9 @@ def solve(
         Of `softlube.substrates`; the half-space if none.
     liquid : Liquid, optional
         Of `softlube.model.liquids`; constant viscosity if none.
+    slide_to_roll : float
+        Difference of the surface speeds over their mean: films of liquids that thin with shear depend on it.  Quantities of
+        other liquids are those of a cylinder that does not turn, 2.
     accuracy : float
         Relative error aimed at.  Meshes follow from it.
     budget : float
@@ -78,6 +83,7 @@ def solve(
         cavitation=cavitation,  # type: ignore[arg-type]
         substrate=substrate or HalfSpaceKernel(),
         liquid=liquid or NewtonianLaw(),
+        slide_to_roll=slide_to_roll,
     )
     return solve_problem(problem, accuracy=accuracy, budget=budget, progress=progress)
 
@@ -103,8 +109,6 @@ def solve_problem(
             f"beta_load = {problem.parameter:.4g} is outside the range that is resolved, {SMALLEST_BETA:g} to "
             f"{LARGEST_BETA:g}: a rigid cylinder below, a Hertz contact above."
         )
-    if not problem.liquid.linear:
-        raise InputError("liquid: one whose shear stress is not in proportion to the shear rate is not solved in line contacts")
     remainder = problem.substrate.remainder
     if remainder is not None and remainder.smooth_over < THINNEST:
         raise NotConvergedError(
