@@ -6,6 +6,7 @@ import pytest
 from softlube.discretization.line.measure import LineFields, measure
 from softlube.discretization.line.panels import Panels
 from softlube.errors import NotConvergedError
+from softlube.model.liquids import BarusLaw
 from softlube.model.problem import Problem
 from softlube.steady.line import march as module
 from softlube.steady.line.march import RIGID_HEIGHT, first, followed, march, resolved, solve_on, transferred, unresolved
@@ -49,8 +50,13 @@ def test_orders_of_accuracy():
 def test_a_way_that_ends():
     stage = first(Problem(beta_load=1.0))
 
-    with pytest.raises(NotConvergedError, match="continuation of the line contact ended at beta = 1"):
+    with pytest.raises(NotConvergedError, match=r"continuation ended at beta_load = 1$"):
         list(followed(stage, lambda _: Problem(beta_load=1e30), 0.0, 1.0, 1.0))
+
+
+def test_a_spike_that_is_too_narrow():
+    with pytest.raises(NotConvergedError, match="the pressure spike becomes narrower"):
+        list(march(Problem(beta_load=8.3, liquid=BarusLaw(42.0))))
 
 
 def test_newton_fails_from_nonsense():

@@ -39,6 +39,11 @@ RESOLVED = 1e-5
 """What the end of the pressure's expansion may be on a panel that is fine enough, see `unresolved`."""
 SPARE = 1e-3
 """Part of that below which panels are joined."""
+SPIKE = (
+    ": as the liquid thickens, the pressure spike becomes narrower than the mesh can follow. Take Roelands' law and a density "
+    "that rises with the pressure, as oils have them, or a lower load"
+)
+"""What is said where the liquid's viscosity cannot be reached."""
 ROUNDS, LARGEST_MESH = 40, 250
 """Times at most that panels are split where the solution is not resolved, and panels at most."""
 TOLERANCE = 1e-9
@@ -167,7 +172,8 @@ def followed(stage: Stage, problem_at: Callable[[float], Problem], start: float,
         if found is None:
             step = (there - here) / 2
             if step < SHORTEST_STEP * first:
-                raise NotConvergedError(f"the continuation of the line contact ended at beta = {stage.problem.parameter:.4g}")
+                advice = "" if stage.problem.liquid == problem.liquid else SPIKE
+                raise NotConvergedError(f"the continuation ended at beta_load = {stage.problem.parameter:.4g}{advice}")
             continue
         stage, here = found, there
         step *= GROWTH
