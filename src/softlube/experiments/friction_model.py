@@ -36,8 +36,9 @@ Array = NDArray[np.floating]
 NOISE = ("relative", "absolute")
 ACCURACY = 5e-3
 """Relative accuracy of the solutions behind the curve: the friction is then good to 0.1 %, far better than a measurement."""
-ROOM = 4.0
-"""How far, as a factor of β, the curve reaches beyond the data at first."""
+ROOM = {True: 4.0, False: 2.0}
+"""How far, as a factor of β, the curve reaches beyond the data at first, for liquids whose shear stress is in proportion to the
+shear rate and for others, whose parameters are looked for nearby."""
 SPREAD = {True: 8.0, False: 3.0}
 """How far, as a factor of the load, curves reach beyond the data where a fitted parameter acts like another load, for liquids
 whose shear stress is in proportion to the shear rate and for others.  A thickness, a pressure coefficient or a relaxation time
@@ -79,6 +80,8 @@ class Model:
         Parameters that the search starts from, in SI.
     family : LoadFamily or None
         The curves, solved with the parameters `start`.
+    varied : tuple of path
+        Numbers for which the curves have nodes: the fitted parameters change them and no load does.
     """
 
     data: Measurements
@@ -89,6 +92,7 @@ class Model:
     force: str
     start: dict[str, float] = field(default_factory=dict)
     family: LoadFamily | None = None
+    varied: tuple[Path, ...] = ()
 
     @property
     def scale(self) -> float:
@@ -203,12 +207,6 @@ class Model:
         """Factor of the load that does to the normalised layer and liquid what the parameters do, see `moved`."""
         return self.moved(values)[0]
 
-    @cached_property
-    def varied(self) -> tuple[Path, ...]:
-        """Numbers that the fitted parameters change and no load does."""
-        found = (self.moved(self.start | {name: STEP * self.start[name]})[1] for name in self._acting)
-        return tuple(sorted({path for each in found for path in each}))
-
     def numbers(self, values: Mapping[str, float]) -> tuple[float, ...]:
         """Values of the numbers that are `varied`."""
         apart = self.moved(values)[1] if self.varied else {}
@@ -299,7 +297,8 @@ class Model:
     def cover(self, values: dict[str, float], region: str | float, progress: Listener | None) -> Model:
         """With load curves around the β of the data, for layer and liquid as they are with some values of the parameters."""
         beta = self.beta(values)
-        low, high = clipped(float(beta.min()) / ROOM, float(beta.max()) * ROOM)
+        room = ROOM[self.linear]
+        low, high = clipped(float(beta.min()) / room, float(beta.max()) * room)
         if self.family is not None:
             low, high = min(low, self.family.low), max(high, self.family.high)
         # From one round to the next only what the curves cannot follow changes, so that most of them are known.
@@ -312,10 +311,11 @@ class Model:
         shifted = any(
             abs(model.acts_like_load(values | {name: STEP * values[name]}) / factor - 1) > SAME for name in model._acting
         )
-        varied = model.varied
+        changed = (model.moved(model.start | {name: STEP * model.start[name]})[1] for name in model._acting)
+        model = replace(model, varied=tuple(sorted({path for each in changed for path in each})))
 
         def problem(load: float, *numbers: float) -> Problem:
-            return with_numbers(self.problem(model.start, load), dict(zip(varied, numbers, strict=True)))
+            return with_numbers(self.problem(model.start, load), dict(zip(model.varied, numbers, strict=True)))
 
         family = load_family(
             problem,
@@ -323,7 +323,7 @@ class Model:
             _half_decade(low, math.floor),
             _half_decade(high, math.ceil),
             spread=SPREAD[model.linear] if shifted else 1.0,
-            numbers=[nodes_around(path, number) for path, number in zip(varied, model.numbers(values), strict=True)],
+            numbers=[nodes_around(path, number) for path, number in zip(model.varied, model.numbers(values), strict=True)],
             region=region,
             accuracy=ACCURACY,
             progress=progress,
