@@ -22,6 +22,7 @@ def test_values_in_si_and_in_a_line():
             "load": ["20 mN", "50 mN"],
             "speed": [1e-3, 5e-3, 2e-3, 4e-3],
             "base": "bonded",
+            "true_shape": "yes",
             "beta": 12.5,
             "thickness": None,
             "pressure_viscosity": "20 GPa-1",
@@ -34,7 +35,7 @@ def test_values_in_si_and_in_a_line():
     assert inputs["base"] == {"value": "bonded", "unit": ""}
     assert echo(inputs) == (
         "Input: radius 2.5 mm, ball_young_modulus 64 GPa, poisson_ratio 0.3, load 20 mN and 50 mN, speed 1 mm/s to 5 mm/s "
-        "(4 values), base bonded, beta 12.5, pressure_viscosity 20 1/GPa."
+        "(4 values), base bonded, true_shape yes, beta 12.5, pressure_viscosity 20 1/GPa."
     )
     with pytest.raises(InputError, match="load: 50 has no unit, and others have"):
         understood({"load": ["20 mN", 50]})

@@ -50,6 +50,8 @@ def echo(inputs: Mapping[str, Mapping[str, Any]]) -> str:
 
 
 def _values(value: Any, unit: str) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
     if not isinstance(value, list):
         return value if isinstance(value, str) else shown(value, unit)
     texts = [_values(each, unit) for each in value]
