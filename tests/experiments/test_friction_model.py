@@ -107,3 +107,43 @@ def test_the_points_of_fig_13_have_no_offset():
 
 def test_short_names_and_double_ones():
     assert small(free=("modulus", "offset", "modulus")).free == ("young_modulus", "friction_offset")
+
+
+CARREAU = {"relaxation_time": 1e-3, "index": 0.5}
+
+
+@pytest.mark.parametrize(
+    ("liquid", "free", "acts_like_load", "numbers"),
+    [
+        ({"viscosity": 2.0} | CARREAU, ("relaxation_time",), True, []),
+        ({"viscosity": 2.0} | CARREAU, ("viscosity", "index"), True, ["index"]),
+        ({"viscosity": 2.0, "infinite_viscosity": 0.1} | CARREAU, ("viscosity",), True, ["infinite"]),
+        (
+            {"viscosity": 2.0, "infinite_viscosity": 0.1} | CARREAU,
+            ("infinite_viscosity", "index"),
+            False,
+            ["index", "infinite"],
+        ),
+        ({"consistency": 2.0, "index": 0.8}, ("consistency",), True, []),
+        ({"viscosity": 2.0, "limiting_stress": 1e4}, ("limiting_stress",), True, []),
+        ({"viscosity": 2.0}, ("viscosity",), False, []),
+    ],
+)
+def test_what_parameters_of_liquids_change(liquid, free, acts_like_load, numbers):
+    """Times and stresses act like another load; an index, and a ratio of viscosities, need curves of their own."""
+    model = small(free=free, **({"viscosity": None} | liquid))
+    start = model.first_guess()
+    model = replace(model, start=start)
+    factor, apart = model.moved(start | {name: 0.9 * start[name] for name in free})
+    assert sorted(path[-1] for path in apart) == numbers
+    assert (factor != 1) == acts_like_load
+
+
+def test_rows_of_several_slide_to_roll_ratios():
+    """A liquid that thins has another film at each."""
+    data = Measurements.from_arrays([0.05, 0.05, 0.1, 0.1], [1e-4, 1e-3, 1e-4, 1e-3], [1e-4, 2e-4, 3e-4, 4e-4])
+    several = replace(data, slide_to_roll=np.array([2.0, 2.0, 0.5, 0.5]))
+    with pytest.raises(softlube.InputError, match="slide-to-roll ratio, and the rows have several"):
+        make_model(several, **KNOWN, viscosity=2.0, **CARREAU)
+    make_model(replace(data, slide_to_roll=np.full(4, 0.5)), **KNOWN, viscosity=2.0, **CARREAU)
+    make_model(several, **KNOWN, viscosity=2.0)

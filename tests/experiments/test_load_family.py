@@ -75,3 +75,13 @@ def test_between_loads_the_logarithm_is_a_polynomial():
     np.testing.assert_allclose(_between(-steep, weights), -np.exp(np.log(load) ** 2))
     crossing = np.log(family.loads / 3)[:, None] * np.ones(load.size)
     np.testing.assert_allclose(_between(crossing, weights), np.log(load / 3), atol=1e-12)
+
+
+def test_curves_for_other_numbers_count_by_the_product_of_the_weights():
+    family = LoadFamily(np.array([1.0, 4.0, 16.0]), (), (np.array([0.4, 0.6]), np.array([1.0, 2.0, 4.0])))
+    load = np.array([2.0, 9.0])
+    weights = family._weights(load, (0.5, 3.0))
+    assert weights.shape == (18, 2)
+    assert weights.sum(axis=0) == pytest.approx(1)
+    by_load, other = LoadFamily(family.loads, ())._weights(load), np.log(0.5 / 0.4) / np.log(0.6 / 0.4)
+    assert weights[-9:].reshape(3, 3, 2).sum(axis=0) == pytest.approx(other * by_load)

@@ -131,3 +131,17 @@ def test_a_curve_shows_some_of_its_rows(sliding):
     assert float(summary.rows[-1][1]) == 5
     assert type(sliding.to_dataframe()) is type(sliding[sliding["load [N]"] < 0.07])
     assert sliding.to_dataframe().equals(sliding)
+
+
+@pytest.mark.parametrize("slide_to_roll", [2.0, 0.5])
+def test_a_liquid_that_thins_with_shear(slide_to_roll):
+    """Film and friction of the curve are those of contacts with its slide-to-roll ratio."""
+    rig = {"radius": "2 mm", "young_modulus": "3 MPa", "load": "50 mN"}
+    liquid = softlube.Carreau("0.5 Pa s", infinite_viscosity="10 mPa s", relaxation_time="1 ms", index=0.6)
+    contact = softlube.Contact(**rig, liquid=liquid, motion=softlube.Rolling("1 mm/s", slide_to_roll=slide_to_roll))
+    row = softlube.stribeck_curve(contact, slowest="0.5 mm/s", fastest="2 mm/s", points=3).iloc[1]
+    assert row["entrainment_speed [m/s]"] == pytest.approx(1e-3)
+    assert row["slide_to_roll"] == slide_to_roll
+    solved = contact.solve().dimensional
+    for column, name in (("film_center [m]", "film_center"), ("film_min [m]", "film_min"), ("friction [N]", "friction_total")):
+        assert row[column] == pytest.approx(solved[name], rel=5e-3)
