@@ -35,8 +35,8 @@ Array = NDArray[np.floating]
 
 NOISE = ("relative", "absolute")
 ACCURACY = {True: 5e-3, False: 1.5e-2}
-"""Relative accuracy of the solutions behind the curve, for liquids whose shear stress is in proportion to the shear rate and for
-others: the friction is then good to 0.1 or 0.3 %, far better than a measurement."""
+"""Relative accuracy of the solutions behind the curve, for liquids whose shear stress is in proportion to the shear rate and
+for others: the friction is then good to 0.1 or 0.3 %, far better than a measurement."""
 ROOM = {True: 4.0, False: 2.0}
 """How far, as a factor of β, the curve reaches beyond the data at first, for liquids whose shear stress is in proportion to the
 shear rate and for others, whose parameters are looked for nearby."""
