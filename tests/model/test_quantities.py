@@ -13,6 +13,7 @@ from softlube.discretization.measure import measure
 from softlube.model.quantities import (
     DERIVED,
     FIELDS,
+    HYSTERESIS,
     LINE,
     LINE_DERIVED,
     QUANTITIES,
@@ -32,7 +33,7 @@ BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "spee
 
 
 def test_every_name_means_one_thing():
-    tables = (STEADY, SPIKE, THINNING, DERIVED, TRANSIENT, FIELDS)
+    tables = (STEADY, SPIKE, HYSTERESIS, THINNING, DERIVED, TRANSIENT, FIELDS)
     assert len(QUANTITIES) == sum(map(len, tables))
     assert all(name == row.name and row.dimension in UNITS for name, row in QUANTITIES.items())
     assert len({row.words for row in QUANTITIES.values()}) == len(QUANTITIES)
@@ -79,7 +80,7 @@ def test_headers():
 
 def test_the_page_shows_the_table():
     text = PAGE.read_text(encoding="utf-8")
-    for table in (STEADY, SPIKE, THINNING, DERIVED, TRANSIENT, FIELDS):
+    for table in (STEADY, SPIKE, HYSTERESIS, THINNING, DERIVED, TRANSIENT, FIELDS):
         assert reference(table) in text
     for table in (LINE, LINE_DERIVED):
         assert reference(table, "H") in text

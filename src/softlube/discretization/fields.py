@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.splines import Spline, Weights
+from softlube.errors import InputError
 from softlube.model.film_section import film_section
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.motions import FIXED_BALL
@@ -120,6 +121,8 @@ class Fields:
         The law of the viscosity.
     slide_to_roll : float
         See `softlube.Problem`.
+    recovery : ndarray, shape (n_r, n_theta), optional
+        Slope of the surface by what the substrate remembers, see `softlube.discretization.memory.MemoryOperator.slope`.
     """
 
     chart: Chart
@@ -133,6 +136,7 @@ class Fields:
     height: float = -1.0
     liquid: Liquid = field(default_factory=NewtonianLaw)
     slide_to_roll: float = FIXED_BALL
+    recovery: Array | None = None
 
     def in_units(self, unit: float) -> Fields:
         """The same fields normalised with another unit of height, given over the present one; Eq. (4)."""
@@ -148,6 +152,7 @@ class Fields:
             height=self.height / unit,
             liquid=self.liquid.in_units(unit),
             slide_to_roll=self.slide_to_roll,
+            recovery=None if self.recovery is None else self.recovery * unit**-0.5,
         )
 
     @cached_property
@@ -188,6 +193,19 @@ class Fields:
     def film_spline(self) -> Spline:
         """ū(ξ, s)."""
         return self._spline(self.film)
+
+    @cached_property
+    def recovery_spline(self) -> Spline:
+        """Slope of the surface by what the substrate remembers (ξ, s).
+
+        Raises
+        ------
+        InputError
+            If it remembers nothing.
+        """
+        if self.recovery is None:
+            raise InputError("solution: its substrate is elastic, or it was read from a file, which does not keep this")
+        return self._spline(self.recovery)
 
     def _place(self, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
         r, theta = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(theta, dtype=float))

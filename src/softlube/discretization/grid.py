@@ -57,6 +57,8 @@ class PolarGrid:
         Radius, relative to `edge`, at which the mesh is refined once more, 0 for nowhere.
     crest_width : float
         Width of the refined zone there, relative to `edge`.
+    thinning : float
+        Coefficient of the last term of ξ(r), by which the mesh is thinned beyond the contact.
     """
 
     n_r: int
@@ -68,6 +70,7 @@ class PolarGrid:
     edge: float = 1.0
     crest: float = 0.0
     crest_width: float = 0.05
+    thinning: float = THINNING
 
     def __post_init__(self) -> None:
         if self.n_r < 8 or self.n_theta < 6:
@@ -88,7 +91,7 @@ class PolarGrid:
         """Uniform radial coordinate ξ of radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
         fine = sum(np.arcsinh((rho - place) / d) + np.arcsinh((rho + place) / d) for place, d in self._zones)
-        return fine - THINNING * np.arcsinh(rho / WIDE)
+        return fine - self.thinning * np.arcsinh(rho / WIDE)
 
     @cached_property
     def _radii(self) -> tuple[Array, Array]:
@@ -117,12 +120,17 @@ class PolarGrid:
         """Derivative dr/dξ at radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
         fine = sum(1 / np.hypot(d, rho - place) + 1 / np.hypot(d, rho + place) for place, d in self._zones)
-        return self.edge / (fine - THINNING / np.hypot(WIDE, rho))
+        return self.edge / (fine - self.thinning / np.hypot(WIDE, rho))
 
     @cached_property
     def d_xi(self) -> float:
         """Spacing of ξ."""
         return float(self.xi_of(self.reach * self.edge)) / self.n_r
+
+    @property
+    def finest(self) -> float:
+        """Width of the cells at the contact edge."""
+        return float(self.dr_dxi(self.edge)) * self.d_xi
 
     @cached_property
     def xi(self) -> Array:
@@ -166,18 +174,19 @@ class PolarGrid:
         s = np.asarray(s, dtype=float)
         theta = np.interp(s, *self._angles)
         for _ in range(20):
-            step = (self.s_of(theta) - s) * self._slope(theta)
+            step = (self.s_of(theta) - s) * self.slope(theta)
             theta = theta - step
             if np.all(np.abs(step) <= 1e-9 * self.side_width):  # quadratic: the next step would be round-off
                 break
         return theta
 
-    def _slope(self, theta: Array) -> Array:
+    def slope(self, theta: Array) -> Array:
+        """Derivative dθ/ds at angle θ."""
         return self._stretch / (1 + self.side_clustering / np.hypot(self.side_width, np.cos(theta)))
 
     def dtheta_ds(self, s: ArrayLike) -> Array:
         """Derivative dθ/ds at s in [0, π]."""
-        return self._slope(self.theta_of(s))
+        return self.slope(self.theta_of(s))
 
     @cached_property
     def d_s(self) -> float:

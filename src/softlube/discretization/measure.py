@@ -29,7 +29,8 @@ which Eq. (28) comes."""
 FRICTIONS = {"friction_total": (DOMAIN, -1.0), "friction_contact": (CONTACT, 1.0), "friction_domain": (DOMAIN, 1.0)}
 """Frictions by name: the cut-off radius over the dry contact's, and the sign of the Poiseuille part.  Couette plus Poiseuille
 part is the shear on the ball, Eq. (27a).  Couette minus Poiseuille part is the shear on the substrate, which is the whole
-horizontal force on the ball: the pressure pushes the ball, too, and its resultant on an elastic substrate is vertical."""
+horizontal force on the ball: the pressure pushes the ball, too, and its resultant on an elastic substrate is vertical.  On a
+substrate that remembers it is not, see `hysteresis_friction`: the total is the sum of both."""
 
 POINTS = 4
 """Points of the quadrature between two nodes of a radius."""
@@ -193,6 +194,18 @@ def frictions(parts: Callable[[float], tuple[float, float]]) -> dict[str, float]
     return {name: known[cutoff][0] + sign * known[cutoff][1] for name, (cutoff, sign) in FRICTIONS.items()}
 
 
+def hysteresis_friction(fields: Fields) -> float:
+    """Friction that the substrate makes itself, 6∫p̄ ∂w̄/∂x dA, in units of (2π/3) G h₀²; 0 on an elastic one.
+
+    Only the part of the slope counts that the substrate remembers: the displacement of an elastic half-space under the pressure
+    has none (it is symmetric, so ∫p ∂wₑ/∂x dA = 0 over the whole plane).
+    """
+    if fields.recovery is None:
+        return 0.0
+    slope = fields.recovery_spline
+    return 6 * float(integrate(fields, lambda at: fields.pressure_on(at) * slope.on(at.across, at.along), float(fields.r[-1])))
+
+
 def friction_profile(fields: Fields) -> tuple[Array, Array]:
     """Couette and Poiseuille part of the friction within each node's radius, in units of (2π/3) G h₀².
 
@@ -277,6 +290,14 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         factor: integrate(fields, lambda at: _densities(fields, at), cutoff).tolist()
         for factor, cutoff in ((CONTACT, contact), (DOMAIN, domain))
     }
+    by_region = frictions(lambda cutoff: within[cutoff][1:])
+    if fields.recovery is not None:
+        hysteresis = hysteresis_friction(fields)
+        by_region |= {
+            "friction_total": by_region["friction_total"] + hysteresis,
+            "friction_viscous": by_region["friction_total"],
+            "friction_hysteresis": hysteresis,
+        }
     found = {
         "load": fields.load,
         "load_contact": within[CONTACT][0],
@@ -291,7 +312,7 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         "pressure_max": pressure_max,
         "pressure_gradient_inlet": _largest(inlet_slope, inlet, mesh),
         "boundary_layer": boundary_layer(fields, pressure_max, edge),
-        **frictions(lambda cutoff: within[cutoff][1:]),
+        **by_region,
         "shear_rate_max": _largest(lambda at: wall_shear_rate(fields, at), near, mesh),
     }
     return found | _thinned(fields, contact) if thins else found

@@ -120,6 +120,13 @@ class FilmBalance:
         self.held = np.zeros(row.size)
         self.held[entry[n_by_pressure + cell.size :]] = stiffness.data
 
+    def stiffened(self, factor: float) -> FilmBalance:
+        """That of a substrate so many times as stiff."""
+        other = copy(self)
+        other.stiffness, other.held = factor * self.stiffness, factor * self.held
+        other._sum = Sparse(self._sum @ sparse.diags_array(np.repeat([factor, 1.0], self._sum.shape[1] // 2)))
+        return other
+
     def entries(self, by_pressure: Array, by_film: Array) -> Array:
         """Entries of the sum on `band`, from those of P and Q."""
         return self._sum @ np.concatenate([by_pressure, by_film])

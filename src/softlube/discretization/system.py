@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from softlube.discretization.elasticity import ElasticOperator, elastic_operator, rim_slice
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import RIM, PolarGrid
+from softlube.discretization.memory import operator_of
 from softlube.discretization.preconditioner import Border, FilmBalance, FilmEquation, local_stiffness
 from softlube.discretization.reynolds import Flow, ReynoldsOperator
 from softlube.model.dry import dry_contact, smeared_contact
@@ -87,7 +88,12 @@ class ContactSystem:
         # Lengths scale with the root of the unit, and so do pressures.
         self.substrate, self.liquid = problem.substrate.in_units(scale), problem.liquid.in_units(scale)
         self.indenter = problem.indenter.in_units(scale)
-        self.elastic, self.reynolds, self.balance, displaced = _operators(grid, problem.cavitation, self.substrate)
+        self.elastic, self.reynolds, self.balance, displaced = _operators(grid, problem.cavitation, self.substrate.elastic)
+        self.memory = operator_of(grid, self.substrate.memory)
+        self.far_deflection = self.speed * displaced
+        if self.memory is not None:
+            displaced = displaced @ self.memory.matrix.T
+            self.balance = self.balance.stiffened(1 / self.substrate.compliance(grid.finest))
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.self_deflection = np.zeros(grid.shape[0] * grid.shape[1])
         self.self_deflection[:n] = 1 / np.abs(self.balance.stiffness.diagonal())
@@ -122,13 +128,26 @@ class ContactSystem:
         """Pressure on all nodes, shape (n,)."""
         return np.concatenate([x[: self.grid.n_unknown], self.rim_pressure[0] + self.height(x) * self.rim_pressure[1]])
 
+    def deflection(self, pressure: Array) -> Array:
+        """Displacement of the surface, sign reversed, at all nodes under nodal pressures, and what it remembers."""
+        elastic = self.elastic.deflection(pressure)
+        return elastic if self.memory is None else self.memory.matrix @ elastic
+
+    def recovery(self, x: Array) -> Array | None:
+        """Slope of the surface by what it remembers, shape of the grid; see `softlube.discretization.fields.Fields`."""
+        if self.memory is None:
+            return None
+        far = self.far_deflection[0] + self.height(x) * self.far_deflection[1]
+        elastic = self.elastic.deflection(x[: self.grid.n_unknown]) + far
+        return -(self.memory.slope @ elastic).reshape(self.grid.shape)
+
     def film(self, x: Array) -> Array:
         """Film thickness on all nodes, Eq. (6c), shape (n,)."""
-        return self.elastic.deflection(x[: self.grid.n_unknown]) + self.film_offset[0] + self.height(x) * self.film_offset[1]
+        return self.deflection(x[: self.grid.n_unknown]) + self.film_offset[0] + self.height(x) * self.film_offset[1]
 
     def film_change(self, step: Array) -> Array:
         """Change of the film on all nodes by a change of the unknowns."""
-        change = self.elastic.deflection(step[: self.grid.n_unknown])
+        change = self.deflection(step[: self.grid.n_unknown])
         return change + step[-1] * self.film_offset[1] if self.problem.load_controlled else change
 
     def load(self, x: Array) -> float:
@@ -151,6 +170,7 @@ class ContactSystem:
             height=self.height(x),
             liquid=self.liquid,
             slide_to_roll=self.problem.slide_to_roll,
+            recovery=self.recovery(x),
         )
         return fields.in_units(1 / self.scale)
 

@@ -51,7 +51,7 @@ class DryContact:
     edge_rise : float
         Pressure close inside the edge over that of the Hertz contact of the same radius, p = edge_rise (2/π²) √(2a(a − r)).
     slope : callable
-        φ′(s) for 0 ≤ s ≤ a.
+        φ′(s) for 0 ≤ s ≤ a, with the stiffness.
     shape_rise : float
         `edge_rise` of the indenter's contact of the same radius on a half-space, g′(a)/2a; 1 for the paraboloid.
     exponent : float
@@ -59,6 +59,8 @@ class DryContact:
         zone at the edge in which the pressure rises.
     corners : tuple of float
         Radii within the contact at which a derivative of the shape jumps or changes fast.
+    stiffness : float
+        How many times as stiff as its relaxed self the substrate is, about: 1 on elastic ones.
     """
 
     radius: float
@@ -69,6 +71,7 @@ class DryContact:
     shape_rise: float = 1.0
     exponent: float = 2.0
     corners: tuple[float, ...] = ()
+    stiffness: float = 1.0
 
     @property
     def substrate_rise(self) -> float:
@@ -84,9 +87,9 @@ class DryContact:
         """β of the lubricated half-space whose boundary layers at the contact edge are as wide over the contact radius.
 
         Close to the edge every substrate acts like the half-space, and p = A√s.  With u ~ Aℓ^(3/2) the boundary layer is
-        ℓ ~ (βA³)^(−2/5) wide.
+        ℓ ~ (βA³)^(−2/5) wide.  Stiffer, A grows by the stiffness and u ~ Aℓ^(3/2) over it.
         """
-        return beta * self.radius**4 * self.edge_rise**3
+        return beta * self.radius**4 * self.edge_rise**3 * self.stiffness
 
     def pressure(self, r: ArrayLike) -> Array:
         """Pressure at a distance r from the axis, −∫_r^a φ′(s)/√(s² − r²) ds."""
@@ -153,6 +156,7 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
             f"the layer is too thin beside its contact: the dry contact would take {n} points, and {MOST_POINTS} are the most. "
             "Check the units of thickness, radius, load and modulus."
         )
+    stiffness = 1 / substrate.compliance(radius)
     corners = tuple(each for each in indenter.corners if each < radius)
     x, weight = _pieces(n, (0.0, *corners, radius))
     n = x.size
@@ -183,13 +187,14 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
 
     def slope(s: Array) -> Array:
         """φ′(s): the shape's part, and a smooth one by the substrate."""
-        return smooth(s) - indenter.depth_slope(s) / np.pi**2
+        return stiffness * (smooth(s) - indenter.depth_slope(s) / np.pi**2)
 
     # φ′(a) from the derivative of the equation; −2a/π² for Hertz.
     shape_rise = rise / (2 * radius)
     edge = shape_rise - np.pi / radius * float(np.sin(radius * k) @ (k * defect * (waves.T @ (weight * phi))))
     exponent = radius * rise / own if own > 0 else np.inf
-    return DryContact(radius, depth, float(2 * np.pi * weight @ phi), edge, slope, shape_rise, exponent, corners)
+    load = stiffness * float(2 * np.pi * weight @ phi)
+    return DryContact(radius, depth, load, edge, slope, shape_rise, exponent, corners, stiffness)
 
 
 def _pieces(points: int, edges: tuple[float, ...]) -> tuple[Array, Array]:

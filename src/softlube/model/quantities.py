@@ -285,6 +285,14 @@ THINNING = _table(
 )
 """Quantities of a liquid that thins with shear."""
 
+HYSTERESIS = _table(
+    Definition("friction_viscous", "viscous part of the total friction", "F_v", "friction", compared_with=("friction_total",)),
+    Definition(
+        "friction_hysteresis", "hysteresis part of the total friction", "F_h", "friction", compared_with=("friction_total",)
+    ),
+)
+"""Quantities of a contact on a substrate that remembers: the parts of its total friction."""
+
 DERIVED = _table(
     Definition("indentation", "indentation", "−h₀", "height", "29"),
     Definition("contact_radius", "radius of the dry contact", "a", "length", "4"),
@@ -313,7 +321,7 @@ FIELDS = _table(
 )
 """Functions of position in pictures and files."""
 
-QUANTITIES = STEADY | SPIKE | THINNING | DERIVED | TRANSIENT | FIELDS
+QUANTITIES = STEADY | SPIKE | HYSTERESIS | THINNING | DERIVED | TRANSIENT | FIELDS
 """Definition of every quantity by its name."""
 
 REPORTED_ONLY = (*(name for name, row in STEADY.items() if row.place), *THINNING)

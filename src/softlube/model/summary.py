@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from softlube.model.prefixes import prefixed
-from softlube.model.quantities import DERIVED, QUANTITIES, SPIKE, STEADY, THINNING, Quantity, header
+from softlube.model.quantities import DERIVED, HYSTERESIS, QUANTITIES, SPIKE, STEADY, THINNING, Quantity, header
 
 if TYPE_CHECKING:
     import pandas
@@ -240,7 +240,7 @@ def steady_rows(problem: Problem, quantities: Mapping[str, Quantity], dimensiona
     for name in ("indentation", "contact_radius"):
         if name in dimensional:
             lines.append(row(DERIVED[name].words, *engineering(dimensional[name])))
-    for name, definition in (STEADY | SPIKE | THINNING).items():
+    for name, definition in (STEADY | SPIKE | HYSTERESIS | THINNING).items():
         if name not in quantities:
             continue
         quantity = quantities[name]

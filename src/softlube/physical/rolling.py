@@ -5,7 +5,8 @@ Couette part C of the friction of a ball that does not turn, S = 2, and the Pois
 
     total on the ball = C S/2 − P,      shear on the ball = C S/2 + P.
 
-P is the same on both surfaces but for the sign, and does not depend on which of them slides.
+P is the same on both surfaces but for the sign, and does not depend on which of them slides.  The friction that a substrate
+with a memory makes itself is added to the total as it is: it depends on how fast the substrate passes, not on the ball.
 """
 
 from __future__ import annotations
@@ -40,11 +41,15 @@ def at_slide_to_roll(quantities: Mapping[str, Quantity], slide_to_roll: float) -
     """
     if slide_to_roll == FIXED_BALL:
         return dict(quantities)
-    total, shear = quantities["friction_total"], quantities["friction_domain"]
+    shear, by_substrate = quantities["friction_domain"], quantities.get("friction_hysteresis", Quantity(0.0, 0.0))
+    viscous = quantities.get("friction_viscous", quantities["friction_total"])
     own, other = (slide_to_roll + FIXED_BALL) / (2 * FIXED_BALL), (slide_to_roll - FIXED_BALL) / (2 * FIXED_BALL)
 
     def mixed(one: Quantity, two: Quantity) -> Quantity:
         return Quantity(own * one + other * two, abs(own) * one.error + abs(other) * two.error, one.unit)
 
     missing = {name: Quantity(np.nan, np.nan, quantities[name].unit) for name in OF_A_FIXED_BALL if name in quantities}
-    return dict(quantities) | missing | {"friction_total": mixed(total, shear), "friction_domain": mixed(shear, total)}
+    rolling = mixed(viscous, shear)
+    total = Quantity(rolling + by_substrate, rolling.error + by_substrate.error, shear.unit)
+    found = dict(quantities) | missing | {"friction_total": total, "friction_domain": mixed(shear, viscous)}
+    return found | ({"friction_viscous": rolling} if "friction_viscous" in quantities else {})

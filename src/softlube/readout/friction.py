@@ -20,7 +20,7 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.fields import Fields, Places
-from softlube.discretization.measure import friction_parts, integrate
+from softlube.discretization.measure import friction_parts, hysteresis_friction, integrate
 from softlube.errors import InputError
 from softlube.model.exact import far_field_profile
 from softlube.model.motions import FIXED_BALL
@@ -158,7 +158,7 @@ def total_within(solution: Solution, cutoff: float, slide_to_roll: float = FIXED
             couette += 2 * np.pi / fields.beta * np.log1p((cutoff**2 - reach**2) / (2 * gap))
         else:
             couette += _sheared_beyond(fields, gap, reach, cutoff)
-    return float(couette * share - poiseuille)
+    return float(couette * share - poiseuille) + hysteresis_friction(fields)
 
 
 def _sheared_beyond(fields: Fields, gap: float, reach: float, cutoff: float) -> float:

@@ -13,6 +13,8 @@ LOOSER = {"film_min": 3.0, "shear_rate_max": 3.0}
 LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
 """Quantities whose error may exceed the accuracy by this factor: the extrema in the thinnest boundary layer, which need more
 angles the larger β is; the second beyond `COARSE_BETA`."""
+LOOSER_TRAIL = LOOSER_DEEP | {"film_outlet_min": 10.0}
+"""The same on a substrate that remembers, where the edge of the contact runs askew to the mesh."""
 COARSE_BETA = 3e6
 """β′ up to which the coarsest grid is of use: beyond it cannot hold the boundary layers together."""
 LARGEST_ERROR = 0.1
@@ -114,6 +116,8 @@ def looser(regime: Regime) -> Mapping[str, float]:
     difference that may vanish, and does not decide.  The film at the edge of the dry contact rises within that boundary layer,
     which is narrow there, to several times the film at the centre; its error may be three times the accuracy.
     """
+    if regime.problem.substrate.memory is not None:
+        return LOOSER_TRAIL
     factors = LOOSER_DEEP if regime.beta > COARSE_BETA else LOOSER
     return factors if regime.dry.substrate_rise == 1 else {**factors, "boundary_layer": math.inf, "film_inlet": 3.0}
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any, Protocol
 
 import numpy as np
@@ -17,9 +18,12 @@ from softlube.discretization.splines import Spline, bilinear
 from softlube.discretization.system import ContactSystem
 from softlube.discretization.unsteady import implicit_steps
 from softlube.errors import NotConvergedError
+from softlube.model.liquids import NewtonianLaw
 from softlube.model.liquids.thinning import Tempered
+from softlube.model.problem import Problem
 from softlube.solvers.continuation import follow, settle
 from softlube.solvers.newton import Iteration, newton
+from softlube.steady.mesh import grid_for, with_trail
 from softlube.steady.regime import Regime
 
 Array = NDArray[np.floating]
@@ -34,6 +38,12 @@ FIRST_RISE, SMALLEST_RISE = 2.0, 0.02
 """Steps of the largest ln η/η₀ in the continuation to the problem's liquid: the first, and the shortest before it gives up."""
 SHORTEST_SHARE = 0.01
 """Step of the share of the liquid's thinning below which the continuation to all of it gives up."""
+BLURRED_BETA, SKETCH_ANGLES = 50.0, 9
+"""β′ up to which a contact on a substrate that remembers is solved from the first guess, and angular intervals of its sketch.
+
+There the film is so thick that the contact's edge, whose place nobody knows beforehand, is broader than the cells."""
+BETA_STEP = 4.0
+"""Factor of β in the march from there."""
 FIRST_TIME, SHORTEST_TIME, LONGEST_TIME = 0.1, 1e-4, 300.0
 """Time steps over β of the film that settles: the first, the shortest before it gives up, and the length beyond which the
 state is the steady one.  Liquid takes about 2β to pass through the contact."""
@@ -164,6 +174,11 @@ def _unknowns(regime: Regime, grid: PolarGrid, start: Array | None, history: lis
         return _thickened(regime, grid, history)
     if start is None and regime.problem.liquid.thins:
         return _thinned(regime, grid, history)
+    if start is None and regime.problem.substrate.memory is not None and regime.beta > BLURRED_BETA:
+        reached, arrived = _marched(regime, grid, sketch(regime.problem), history)
+        if not arrived:
+            raise _not_converged(regime, grid, history)
+        return reached.x
     system = ContactSystem(regime.problem, grid, regime.unit)
     result = newton(
         system,
@@ -177,6 +192,62 @@ def _unknowns(regime: Regime, grid: PolarGrid, start: Array | None, history: lis
     if regime.thick:
         return _thickened(regime, grid, history)
     return _thinned(regime, grid, history) if regime.problem.liquid.thins else _settled(regime, system, history)
+
+
+@lru_cache(maxsize=4)
+def sketch(problem: Problem) -> Solved:
+    """A contact on a substrate that remembers on the coarsest grid, which shows where its edge is.
+
+    It begins with a film so thick that the grid need not know, and follows the contact as β grows to the problem's and the edge
+    sharpens in its place; or until the grid is too coarse.
+
+    Raises
+    ------
+    NotConvergedError
+        If Newton's method fails for the thick film.
+    """
+    problem = replace(problem, liquid=NewtonianLaw())  # the law of the liquid hardly moves the edge
+    target = Regime.of(problem)
+    faster = _at_beta(problem, problem.parameter * min(1.0, BLURRED_BETA / target.beta))
+    regime, history = Regime.of(faster), list[Iteration]()
+    grid = grid_for(regime, SKETCH_ANGLES)
+    system = ContactSystem(faster, grid, regime.unit)
+    x = newton(system, system.start(regime.first_height / system.scale), tolerance=TOLERANCE, max_iterations=STEPS)
+    if not x.converged:
+        raise _not_converged(regime, grid, x.history)
+    sketched = _drawn(faster, grid, regime.unit, x.x)
+    fitted = grid_for(target, SKETCH_ANGLES, [lambda plain: with_trail(plain, sketched.fields, target.unit)])
+    return _marched(target, fitted, sketched, history)[0]
+
+
+def _drawn(problem: Problem, grid: PolarGrid, unit: float, x: Array) -> Solved:
+    return Solved(Level(grid.n_r, grid.n_theta, {}, (), 0.0), ContactSystem(problem, grid, unit).fields(x), x, grid)
+
+
+def _at_beta(problem: Problem, beta: float) -> Problem:
+    """The problem at another β; what its substrate remembers is not changed."""
+    return replace(problem, beta_load=beta) if problem.load_controlled else replace(problem, beta=beta)
+
+
+def _marched(regime: Regime, grid: PolarGrid, start: Solved, history: list[Iteration]) -> tuple[Solved, bool]:
+    """Follow a contact on another grid, from its β to the problem's as far as it goes; and whether it arrived."""
+    problem = regime.problem
+    # The contact at the start has a unit of length of its own, with which pressures scale, too, and heights with its square.
+    unit = start.fields.r[-1] / start.grid.r[-1] / np.sqrt(regime.unit)
+    scaled = start.x * unit
+    if problem.load_controlled:
+        scaled[-1] *= unit
+    x, beta, reached = prolong(scaled, start.grid.scaled(unit), grid, regime), start.fields.beta, start
+    while True:
+        there = _at_beta(problem, beta)
+        result = newton(ContactSystem(there, grid, regime.unit), x, tolerance=TOLERANCE, max_iterations=STEPS)
+        history += result.history
+        if not result.converged:
+            return reached, False
+        x, reached = result.x, _drawn(there, grid, regime.unit, result.x)
+        if beta == problem.parameter:
+            return reached, True
+        beta = min(BETA_STEP * beta, problem.parameter)
 
 
 def _first_guess(regime: Regime, system: ContactSystem, history: list[Iteration]) -> Array:

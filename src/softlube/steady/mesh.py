@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 import numpy as np
 
+from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.steady.regime import Regime
 
@@ -30,6 +32,13 @@ boundary leaves of the film at the sides (`softlube.steady.error_estimate`)."""
 STIFFEST_EDGE = 4.6
 """Rise of the dry pressure at the edge over Hertz's beyond which rings are added in proportion, so that the rings within the
 contact stay as narrow as the layer is thick."""
+TRAIL_WIDTH, TRAIL_NEAREST, TRAIL_FARTHEST = 0.15, 0.05, 0.9
+"""Zone of the mesh about the contact's edge at the outlet, where a substrate remembers, over the mesh's edge: its width, as the
+contact's edge runs from there to the sides; its least place; and from where on the zone at the edge does for it, too."""
+TRAIL_THINNING = 2.8
+"""Coefficient of the mesh's thinning beyond the contact where it has that zone, whose rings are wanted within the contact."""
+SHIFTED_EDGE = 0.1
+"""Distance of the contact's edge at the inlet and the sides from the mesh's that is not worth a change."""
 COARSEST = 0.43
 """Spacing of ξ that `STEEP_STEP` does not go beyond, lest the first grid be no start for the second."""
 
@@ -84,3 +93,34 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     if not regime.over_gap:
         step *= min(1.0, STIFFEST_EDGE / rise)
     return grid.resized(int(np.ceil(grid.xi_of(grid.reach * edge) * n_theta / step)), n_theta)
+
+
+def with_trail(grid: PolarGrid, fields: Fields, unit: float) -> PolarGrid:
+    """The grid of a contact whose edge is nearer to the axis at the outlet than at the inlet and the sides.
+
+    Parameters
+    ----------
+    grid : PolarGrid
+        The grid of a round contact.
+    fields : Fields
+        Pressure of about this contact, in the problem's unit.
+    unit : float
+        The grid's unit of height over the problem's.
+    """
+    inlet, side, outlet = (_edge_of(fields, angle) / float(np.sqrt(unit)) for angle in (0.0, np.pi / 2, np.pi))
+    edge = (inlet + side) / 2
+    if abs(edge - grid.edge) < SHIFTED_EDGE:
+        edge = grid.edge
+    grid, crest = replace(grid, edge=edge), max(outlet / edge, TRAIL_NEAREST)
+    if crest > TRAIL_FARTHEST:
+        return grid
+    return replace(grid, crest=crest, crest_width=TRAIL_WIDTH, thinning=TRAIL_THINNING)
+
+
+def _edge_of(fields: Fields, angle: float) -> float:
+    """Where the pressure falls most steeply on the way outwards, between the nodes nearest to an angle."""
+    ray = fields.pressure[:, int(np.argmin(np.abs(fields.theta - angle)))]
+    highest = int(np.argmax(ray))
+    fall = -np.diff(ray[highest:]) / np.diff(fields.r[highest:])
+    steepest = highest + int(np.argmax(fall))
+    return float(fields.r[steepest] + fields.r[steepest + 1]) / 2

@@ -11,6 +11,7 @@ from softlube.model.dry import PARABOLOID, DryContact, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE
 from softlube.model.film_section import viscosity_at
 from softlube.model.problem import Problem
+from softlube.model.substrates import Substrate
 
 TOUCHING = 4.5
 """β_load at which h₀ = 0 under the Reynolds condition, about."""
@@ -83,10 +84,7 @@ class Regime:
         NotConvergedError
             If the dry contact on the problem's substrate is not found.
         """
-        if problem.load_controlled:
-            dry = dry_contact_at(problem.substrate, load=HERTZ_LOAD, indenter=problem.indenter)
-        else:
-            dry = dry_contact_at(problem.substrate, indentation=1.0, indenter=problem.indenter)
+        dry = _dry(problem, problem.substrate)
         viscosity = _inlet_viscosity(problem, dry)
         own = problem.parameter / viscosity
         beta = dry.like_hertz(own)
@@ -103,7 +101,7 @@ class Regime:
             over_gap = problem.height >= 0
         narrow = 0.0 if over_gap else float(np.interp(np.log(max(beta, 1.0)), np.log(STEEP_BETA), (0.0, 1.0)))
         paraboloid = problem.indenter == PARABOLOID
-        highest = np.array([HERTZ_PRESSURE * np.sqrt(dry.indentation) if paraboloid else dry.highest_pressure])
+        highest = np.array([HERTZ_PRESSURE * dry.stiffness * np.sqrt(dry.indentation) if paraboloid else dry.highest_pressure])
         return cls(
             problem=problem,
             dry=dry,
@@ -133,8 +131,17 @@ class Regime:
 
     @property
     def edge_radius(self) -> float:
-        """Radius a of the dry contact, over which loads and frictions are taken; the unit of length over a prescribed gap."""
-        return 1.0 if self.problem.height >= 0 else self.dry.radius
+        """Radius a of the dry contact, over which loads and frictions are taken; the unit of length over a prescribed gap.
+
+        That on the relaxed substrate if it has a memory.
+        """
+        if self.problem.height >= 0:
+            return 1.0
+        return (
+            self.dry.radius
+            if self.problem.substrate.memory is None
+            else _dry(self.problem, self.problem.substrate.elastic).radius
+        )
 
     @cached_property
     def first_height(self) -> float:
@@ -145,6 +152,13 @@ class Regime:
         that pressure, like 1/(β²h₀^(5/2)).  The constants are fitted to solutions.
         """
         return _height_under_load(self.problem, self.dry, self.problem.parameter / self.viscosity)
+
+
+def _dry(problem: Problem, substrate: Substrate) -> DryContact:
+    """The contact without the film on a substrate, under a problem's load or at its indentation."""
+    if problem.load_controlled:
+        return dry_contact_at(substrate, load=HERTZ_LOAD, indenter=problem.indenter)
+    return dry_contact_at(substrate, indentation=1.0, indenter=problem.indenter)
 
 
 def _inlet_viscosity(problem: Problem, dry: DryContact) -> float:

@@ -157,8 +157,6 @@ def solve_problem(
 
 def _regime(problem: Problem) -> Regime:
     """The regime of a problem within the range that is resolved."""
-    if problem.substrate.memory is not None:
-        raise InputError(f"substrate: {problem.substrate.words} is not solved yet")
     if not SMALLEST_BETA <= problem.parameter <= LARGEST_BETA:
         name = "beta_load" if problem.load_controlled else "beta"
         bounds = f"{SMALLEST_BETA:g} to {LARGEST_BETA:g}"

@@ -7,9 +7,10 @@ of `KINDS`.
 from softlube.steady.refinements.base import Refinement
 from softlube.steady.refinements.front import Front
 from softlube.steady.refinements.spike.refinement import Spike
+from softlube.steady.refinements.trail import Trail
 from softlube.steady.regime import Regime
 
-KINDS = (Spike, Front)
+KINDS = (Trail, Spike, Front)
 """All refinements."""
 
 
