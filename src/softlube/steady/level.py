@@ -298,7 +298,12 @@ def _thinned(regime: Regime, grid: PolarGrid, history: list[Iteration]) -> Array
         return ContactSystem(replace(problem, liquid=Tempered(problem.liquid, share, 1 / regime.viscosity)), grid, regime.unit)
 
     even = system_at(0.0)
-    plain = newton(even, _first_guess(regime, even, history), tolerance=TOLERANCE, max_iterations=STEPS)
+    if problem.substrate.memory is None:
+        guess = _first_guess(regime, even, history)
+    else:
+        constant = _at_beta(replace(problem, liquid=NewtonianLaw()), problem.parameter / regime.viscosity)
+        guess = _unknowns(Regime.of(constant), grid, None, history)
+    plain = newton(even, guess, tolerance=TOLERANCE, max_iterations=STEPS)
     history += plain.history
     result = None
     if plain.converged:
