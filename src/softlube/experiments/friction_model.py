@@ -24,8 +24,9 @@ from softlube.experiments.load_family import LoadFamily, load_family
 from softlube.experiments.measurements import Measurements
 from softlube.experiments.parameters import MODULI, OFFSET, PRINCIPAL, SHORT, TYPICAL, parameters
 from softlube.experiments.problem_numbers import SAME, Path, moved, nodes_around, numbers_of, powers, with_numbers
+from softlube.model.indenters import IndenterPart
 from softlube.model.motions import Rolling
-from softlube.model.parts import Part
+from softlube.model.parts import Part, resolve
 from softlube.model.problem import Problem
 from softlube.physical.contact import Contact
 from softlube.physical.inputs import BODIES, check_names, names_of
@@ -366,9 +367,9 @@ def make_model(
     known = {name: value for name, value in given.items() if value is not None}
     for slot in BODIES:
         if isinstance(known.get(slot), Part):
-            known |= known.pop(slot).flat()
-    if "radius" not in known:
-        raise InputError("radius: missing; expected a length such as '2 mm'")
+            known |= {name: value for name, value in known.pop(slot).flat().items() if value is not None}
+    indenter = resolve([IndenterPart.slot], known)[IndenterPart.slot]  # once: a measured profile is read from its file
+    known |= {name: value for name, value in indenter.flat().items() if value is not None}
     for name, group in (("young_modulus", MODULI), ("viscosity", ("viscosity", "consistency"))):
         if not set(group) & (known.keys() | set(names)):
             raise InputError(f"{name}: missing; give it or fit it (free)")

@@ -41,6 +41,10 @@ TOO_WIDE = (
     "R. Check the units of radius, modulus and {name}"
 )
 WIDE = "the {what} {share:.2g} R: beyond {largest:g} R linear elasticity and the parabolic sphere are in doubt"
+BEYOND = (
+    "{name}: makes a contact of radius {radius:.3g} m, beyond the indenter's surface, which is given up to {edge:.3g} m. "
+    "Check the units of the indenter, modulus and {name}"
+)
 TOO_STEEP = (
     "{name}: the indenter's slope at the contact's edge is {share:.2g}; the model is for slopes up to about {largest:g}. "
     "Check the units of the indenter, modulus and {name}"
@@ -162,11 +166,17 @@ class Contact(Described):
             assert self.indentation is not None
             sign = 0 if self.indentation == 0 else -1 if self.indentation > 0 else 1
             problem = Problem(beta=beta, cavitation=self.cavitation, height=sign, **models)
-        if (share := self.steepness(self._dry_radius(problem))) > 1:
-            name = "load" if self.load is not None else "indentation"
+        if (radius := self._dry_radius(problem)) > (edge := problem.indenter.edge * self.unit_length):
+            raise InputError(BEYOND.format(name=self.prescribed, radius=radius, edge=edge))
+        if (share := self.steepness(radius)) > 1:
             too_far = TOO_WIDE if isinstance(self.indenter, Sphere) else TOO_STEEP
-            raise InputError(too_far.format(name=name, share=share, largest=LARGEST_SLOPE))
+            raise InputError(too_far.format(name=self.prescribed, share=share, largest=LARGEST_SLOPE))
         return problem
+
+    @property
+    def prescribed(self) -> str:
+        """Name of what holds the indenter, load or indentation."""
+        return "load" if self.load is not None else "indentation"
 
     @property
     def dry_radius(self) -> float:

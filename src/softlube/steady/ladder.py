@@ -190,7 +190,7 @@ def solve_on_ladder(regime: Regime, accuracy: float, progress: Listener | None =
     if len(solved) < GRIDS:
         raise NotConvergedError("too few grids have a solution, and nothing tells its error; report the input.")
     if not left:
-        features = " and ".join(each.feature for each in narrow)
+        features = " and ".join(each.feature for each in narrow) or "the contact"
         raise NotConvergedError(f"no grid is fine enough for {features}, and nothing tells the errors; report the input.")
     worst = ", ".join(f"{name} {value:.1e}" for name, value in sorted(left.items(), key=lambda item: -item[1])[:3])
     raise NotConvergedError(

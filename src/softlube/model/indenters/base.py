@@ -43,6 +43,11 @@ class Shape:
         return ()
 
     @property
+    def edge(self) -> float:
+        """Radius up to which the surface is the indenter's own; beyond it the surface is continued."""
+        return math.inf
+
+    @property
     def flat(self) -> float:
         """Radius up to which the surface is flat: no contact is narrower."""
         return 0.0
@@ -118,6 +123,11 @@ class Curved(Shape):
     def corners(self) -> tuple[float, ...]:
         """Radii at which a derivative jumps or changes fast, the end among them."""
         return tuple(each / self._length for each in (*self.own_corners, self.end) if math.isfinite(each))
+
+    @property
+    def edge(self) -> float:
+        """The end."""
+        return self.end / self._length
 
     @property
     def _length(self) -> float:
