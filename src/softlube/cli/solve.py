@@ -202,6 +202,8 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
     from rich.console import Console
 
     from softlube.cli.table import show, summary_table
+    from softlube.physical import indenter_effect
+    from softlube.physical.contact import Contact
 
     console = Console(highlight=False, soft_wrap=True)
     console.print(inputs, markup=False)
@@ -211,6 +213,9 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
         console.print("δ is the Hertz indentation of the load, Eq. (29).")
     show(console, summary_table(solution.summary()))
     console.print(_region(solution), markup=False)
+    if isinstance(solution.contact, Contact):
+        for note in indenter_effect.notes(solution.contact):
+            console.print(f"{note[0].upper()}{note[1:]}.", markup=False)
     if "lambda_ratio" in solution.dimensional:
         from softlube.physical.roughness import lubrication
 

@@ -33,7 +33,7 @@ AT_MOST_ONE = ("index", "infinite")
 
 
 def numbers_of(problem: Problem) -> dict[Path, float]:
-    """Positive numbers of the normalised substrate and liquid, by where they stand in the plain values of the problem."""
+    """Positive numbers of the normalised substrate, liquid and indenter, by where they stand in the problem's plain values."""
 
     def leaves(value: Any, path: Path) -> dict[Path, float]:
         if isinstance(value, Mapping):
@@ -42,7 +42,8 @@ def numbers_of(problem: Problem) -> dict[Path, float]:
         return {path: float(value)} if number else {}
 
     plain = problem.to_plain()
-    return {path: leaf for name in ("substrate", "liquid") for path, leaf in leaves(plain.get(name, {}), (name,)).items()}
+    models = ("substrate", "liquid", "indenter")
+    return {path: leaf for name in models for path, leaf in leaves(plain.get(name, {}), (name,)).items()}
 
 
 def with_numbers(problem: Problem, numbers: Mapping[Path, float]) -> Problem:

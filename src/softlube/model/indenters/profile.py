@@ -129,9 +129,9 @@ class Smoothed:
         """Radius of the paraboloid through the axis and the last place [m]."""
         return self.reach**2 / (2 * float(self.outline(np.array(self.reach))[0]))
 
-    def shape(self, unit: float, share: float) -> SplineShape:
-        """The shape, see `Curved`."""
-        radius = self.reference_radius
+    def shape(self, unit: float, share: float, reference: float | None = None) -> SplineShape:
+        """The shape, see `Curved`, over its own reference radius or another one [m]."""
+        radius = reference or self.reference_radius
         return SplineShape(unit, share, self.reach / radius, tuple(each / radius for each in self.coefficients))
 
 

@@ -1,0 +1,94 @@
+"""What the shape of an indenter does to a contact: of a sphere its true shape, of a measured profile its smoothing.
+
+Dry contacts are compared exactly, film and friction by the laws of the Hertz limit (`softlube.theory.profiles`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from softlube.model.indenters import Profile, Shape, Sphere, SphereShape
+from softlube.model.prefixes import shown
+from softlube.physical.materials import effects_of
+from softlube.steady.regime import Regime
+
+if TYPE_CHECKING:
+    from softlube.physical.contact import Contact
+
+WIDE_FOR_A_PARABOLA = 0.1
+"""Contact radius over the sphere's beyond which it is said what the true shape changes: the film by half a percent there."""
+LIMIT = 300.0
+"""β′ from which on the laws of the Hertz limit tell a difference."""
+LAW_ERROR = 1.2
+"""Error of a difference by these laws, over the difference and β′^(−1/5), the order of what they leave out.
+
+Differences of solved contacts lie within it (docs/theory/indenters.md)."""
+
+
+def notes(contact: Contact) -> list[str]:
+    """What is to be said of a contact's indenter: sentences without a full stop, none for a narrow contact of a sphere."""
+    indenter, said = contact.indenter, []
+    radius = contact.dry_radius
+    if not isinstance(indenter, Sphere):
+        said.append(
+            f"lengths are normalised with the reference radius of the indenter, {_short(indenter.reference_radius)}, "
+            "as with the radius of a sphere"
+        )
+    elif not indenter.true_shape and (share := radius / indenter.radius) > WIDE_FOR_A_PARABOLA:
+        true = SphereShape(contact.unit_height / indenter.radius, contact.reduced_radius / indenter.radius)
+        said.append(
+            f"the contact's radius is {share:.2g} R, and the sphere is taken for its paraboloid; its true shape (true_shape) "
+            f"would change: {effects_of(effect(contact, true))}"
+        )
+    if isinstance(indenter, Profile) and radius:
+        chosen, coarser = indenter.smoothed
+        if coarser != chosen:
+            reference = indenter.reference_radius
+            other = coarser.shape(contact.unit_height / reference, contact.reduced_radius / reference, reference)
+            said.append(
+                f"the profile is smoothed to {_short(chosen.deviation)} (root mean square); with the next coarser smoothing, "
+                f"to {_short(coarser.deviation)}, would change: {effects_of(effect(contact, other))}"
+            )
+    return said
+
+
+def effect(contact: Contact, other: Shape) -> dict[str, tuple[float, float]]:
+    """By what share another indenter would change a contact.
+
+    Parameters
+    ----------
+    contact : Contact
+        With an indentation or a load.
+    other : Shape
+        The other indenter's, in the units of the contact's problem.
+
+    Returns
+    -------
+    dict of str to pair of float
+        Relative changes and their errors: of the dry contact, which are exact, and from β′ = 300 on of film and friction.
+    """
+    from softlube.theory import profiles
+
+    problem = contact.problem()
+    here, there = Regime.of(problem).dry, Regime.of(replace(problem, indenter=other)).dry
+    changes = {"contact radius": (there.radius / here.radius - 1, 0.0)}
+    if problem.load_controlled:
+        changes["indentation of a dry contact"] = there.indentation / here.indentation - 1, 0.0
+    else:
+        changes["load of a dry contact"] = there.load / here.load - 1, 0.0
+    beta = here.like_hertz(problem.parameter)
+    if beta < LIMIT:
+        return changes
+    ratios: Mapping[str, float] = {
+        "film at the centre": float(profiles.film_center(there, 1.0, 1) / profiles.film_center(here, 1.0, 1)),
+        "minimum film": float(profiles.film_min(there, 1.0) / profiles.film_min(here, 1.0)),
+        "friction over the contact": float(profiles.friction_contact(there, 1.0) / profiles.friction_contact(here, 1.0)),
+    }
+    return changes | {name: (ratio - 1, LAW_ERROR * beta**-0.2 * abs(ratio - 1)) for name, ratio in ratios.items()}
+
+
+def _short(length: float) -> str:
+    """A length [m] with a prefix and four digits."""
+    return str(shown(float(f"{length:.4g}"), "m"))
