@@ -12,6 +12,7 @@ from skfem.helpers import grad
 
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.indenters import Paraboloid, PowerShape, RoundedConeShape, RoundedPunchShape, SphereShape
 from softlube.model.substrates import LayerKernel
 
 FINITE_ELEMENT_ERROR = 2e-4
@@ -43,9 +44,12 @@ def rim(u, v, w):
     return 2 * u[0] * v[0]
 
 
-def finite_element_load(chi, poisson_ratio=0.5, base="bonded", cells=16):
-    """Load over Hertz's at the same indentation, of a sphere on a layer of thickness 1, χ = √(Rδ)/t, by finite elements."""
-    wide = 1.5 * chi
+def finite_element_load(chi, poisson_ratio=0.5, base="bonded", cells=16, outline=Paraboloid(), radius=1.0):
+    """Load over Hertz's at the same indentation, of a sphere on a layer of thickness 1, χ = √(Rδ)/t, by finite elements.
+
+    Another indenter has its outline in units of δ, as a function of the distance over √(Rδ), and about a contact radius.
+    """
+    wide = 1.5 * chi * radius
     r = np.concatenate((np.linspace(0, wide, 3 * cells + 1), wide + np.expm1(np.linspace(0, np.log(9), 2 * cells + 1))[1:]))
     z = np.sin(np.pi / 2 * np.linspace(0, 1, cells + 1)) - 1
     u = fem.Basis(fem.MeshQuad.init_tensor(r, z), fem.ElementVector(fem.ElementQuad2()), intorder=5)
@@ -60,8 +64,8 @@ def finite_element_load(chi, poisson_ratio=0.5, base="bonded", cells=16):
     held = np.union1d(bottom.all() if base == "bonded" else bottom.all("u^2"), axis)
     top = u.get_dofs(lambda x: np.isclose(x[1], 0)).all("u^2")
     distance = u.doflocs[0, top]
-    depth = 1 - distance**2 / (2 * chi**2)  # in units of δ
-    touching = distance < chi
+    depth = 1 - outline.height(distance / chi)  # in units of δ
+    touching = distance < chi * radius
     for _ in range(20):
         x = np.zeros(matrix.shape[0])
         x[top[touching]] = -depth[touching]
@@ -94,6 +98,23 @@ def test_within_the_accuracy_of_dimitriadis_series(chi):
 @pytest.mark.parametrize("chi", [0.5, 2.0])
 def test_any_layer_is_that_of_finite_elements(chi, layer):
     assert dry_load(chi, *layer) == pytest.approx(finite_element_load(chi, *layer), rel=FINITE_ELEMENT_ERROR)
+
+
+SHAPES = [
+    SphereShape(0.25, 1.0),
+    PowerShape(3.0, 1.0, 4.0),
+    RoundedPunchShape(1.0, 1.0, 0.5, 0.0),
+    RoundedPunchShape(1.0, 1.0, 0.5, 0.2),
+    RoundedConeShape(1.0, 1.0, 0.6, 5.0),
+]
+
+
+@pytest.mark.parametrize("chi", [0.5, 1.5])
+@pytest.mark.parametrize("shape", SHAPES, ids=str)
+def test_any_indenter_is_that_of_finite_elements(chi, shape):
+    dry = dry_contact_at(LayerKernel(1 / chi), indentation=1.0, indenter=shape)
+    load = finite_element_load(chi, outline=shape, radius=dry.radius)
+    assert dry.load / HERTZ_LOAD == pytest.approx(load, rel=1e-3)
 
 
 def test_finite_elements_converge():

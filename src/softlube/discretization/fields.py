@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.splines import Spline, Weights
 from softlube.errors import InputError
+from softlube.model.dry import PARABOLOID
 from softlube.model.film_section import film_section
+from softlube.model.indenters import Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.motions import FIXED_BALL
 from softlube.model.problem import Cavitation
@@ -25,6 +27,9 @@ Beyond it a cubic interpolant overshoots between the flanks of a spike (docs/not
 benchmarks/spike_sphere.py)."""
 
 
+FAR = 0.5
+"""Difference of the film from the indenter's height, over the height, up to which the film has the height's slopes,
+from outside."""
 MARGIN = 5
 """Nodes beyond θ = 0 and π in a spline: what its end does has died out before them."""
 
@@ -119,6 +124,8 @@ class Fields:
         h₀ over the unit of height: −1 in the paper's normalisation.
     liquid : Liquid
         The law of the viscosity.
+    indenter : Shape
+        The indenter's surface.
     slide_to_roll : float
         See `softlube.Problem`.
     recovery : ndarray, shape (n_r, n_theta), optional
@@ -135,6 +142,7 @@ class Fields:
     load: float
     height: float = -1.0
     liquid: Liquid = field(default_factory=NewtonianLaw)
+    indenter: Shape = PARABOLOID
     slide_to_roll: float = FIXED_BALL
     recovery: Array | None = None
 
@@ -151,6 +159,7 @@ class Fields:
             load=self.load * unit**-1.5,
             height=self.height / unit,
             liquid=self.liquid.in_units(unit),
+            indenter=self.indenter.in_units(unit),
             slide_to_roll=self.slide_to_roll,
             recovery=None if self.recovery is None else self.recovery * unit**-0.5,
         )
@@ -191,8 +200,23 @@ class Fields:
 
     @cached_property
     def film_spline(self) -> Spline:
-        """ū(ξ, s)."""
-        return self._spline(self.film)
+        """ū(ξ, s).
+
+        Far outside a film is nearly the indenter's height, which may grow so fast that a spline through a few nodes swings.
+        There the slopes are the height's own, and a spline's only of what the film differs from it.
+        """
+        spline = self._spline(self.film)
+        if self.indenter == PARABOLOID:
+            return spline
+        height, slope = self.indenter.height(self.r), self.indenter.slope(self.r) * self.chart.dr_dxi(self.r)
+        difference = self.film - height[:, None]
+        near = np.flatnonzero(np.any(np.abs(difference) > FAR * height[:, None], axis=1))
+        far = self.r.size - 1 - (int(near[-1]) if near.size else 0)  # rings on either end of the nodes
+        slopes = self._spline(difference).table[1]
+        slopes[:, 0] += np.concatenate([-slope[self.mesh.centre :][::-1], slope])[:, None]
+        for end in (slice(far), slice(self.mesh.xi_nodes.size - far, None)):
+            spline.table[1, end] = slopes[end]
+        return spline
 
     @cached_property
     def recovery_spline(self) -> Spline:

@@ -169,6 +169,7 @@ class ContactSystem:
             load=self.load(x),
             height=self.height(x),
             liquid=self.liquid,
+            indenter=self.indenter,
             slide_to_roll=self.problem.slide_to_roll,
             recovery=self.recovery(x),
         )

@@ -177,6 +177,7 @@ def _solution(content: Content) -> Solution:
             load=float(families[""]["load"]),
             height=_number(attributes, "height"),
             liquid=problem.liquid,
+            indenter=problem.indenter,
             slide_to_roll=problem.slide_to_roll,
         ),
         quantities=families[""],

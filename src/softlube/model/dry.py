@@ -32,6 +32,8 @@ Array = NDArray[np.floating]
 
 FEWEST_POINTS, MOST_POINTS = 24, 1500
 """Quadrature points at least; and at most: a layer that needs more is too thin for the grids of the lubricated contact, too."""
+TABLE = 240
+"""Places on each piece of a contact at which the transform of a shape is kept; good to 10⁻¹⁰."""
 POINTS_PER_WAVE = 0.2
 """Quadrature points for each radian that the shortest wave of the remainder turns over the contact."""
 
@@ -176,6 +178,7 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
     depth = float(of_bowl / of_flat)
     phi = depth * flat - bowl
 
+    own_slope = indenter.depth_slope if indenter == PARABOLOID else _tabulated(indenter.depth_slope, (0.0, *corners, radius))
     smooth: Callable[[Array], Any] = np.zeros_like
     if k.size:
         from scipy.interpolate import CubicSpline  # slow to import, and half-spaces do without
@@ -187,7 +190,7 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
 
     def slope(s: Array) -> Array:
         """φ′(s): the shape's part, and a smooth one by the substrate."""
-        return stiffness * (smooth(s) - indenter.depth_slope(s) / np.pi**2)
+        return stiffness * (smooth(s) - own_slope(s) / np.pi**2)
 
     # φ′(a) from the derivative of the equation; −2a/π² for Hertz.
     shape_rise = rise / (2 * radius)
@@ -195,6 +198,23 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
     exponent = radius * rise / own if own > 0 else np.inf
     load = stiffness * float(2 * np.pi * weight @ phi)
     return DryContact(radius, depth, load, edge, slope, shape_rise, exponent, corners, stiffness)
+
+
+def _tabulated(function: Callable[[Array], Array], edges: tuple[float, ...]) -> Callable[[Array], Array]:
+    """A function that is dear to evaluate, by a cubic spline on each of some pieces; it may begin there like a root."""
+    from scipy.interpolate import CubicSpline
+
+    u = np.linspace(0, 1, TABLE)
+    splines = [CubicSpline(u, function(low + (high - low) * u**2)) for low, high in pairwise(edges)]
+
+    def value(x: Array) -> Array:
+        found = np.zeros(np.shape(x))
+        piece = np.clip(np.searchsorted(edges, x, side="right") - 1, 0, len(splines) - 1)
+        for k, (spline, (low, high)) in enumerate(zip(splines, pairwise(edges), strict=True)):
+            found[piece == k] = spline(np.sqrt(np.maximum(np.asarray(x)[piece == k] - low, 0) / (high - low)))
+        return found
+
+    return value
 
 
 def _pieces(points: int, edges: tuple[float, ...]) -> tuple[Array, Array]:
