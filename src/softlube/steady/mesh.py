@@ -39,6 +39,9 @@ TRAIL_THINNING = 2.8
 """Coefficient of the mesh's thinning beyond the contact where it has that zone, whose rings are wanted within the contact."""
 SHIFTED_EDGE = 0.1
 """Distance of the contact's edge at the inlet and the sides from the mesh's that is not worth a change."""
+BLUNT_STEP = 0.35
+"""Power of 2 over a blunt indenter's `DryContact.exponent` that the radial step takes: inwards from the edge its pressure bends
+more than a paraboloid's.  With it a shape of height r⁴ needs no more angles than a paraboloid with the same β′."""
 COARSEST = 0.43
 """Spacing of ξ that `STEEP_STEP` does not go beyond, lest the first grid be no start for the second."""
 
@@ -92,6 +95,8 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
         step = RADIAL_STEP_SUCTION
     if not regime.over_gap:
         step *= min(1.0, STIFFEST_EDGE / rise)
+        if not regime.deep and beta >= light:
+            step *= min(1.0, 2 / regime.dry.exponent) ** BLUNT_STEP
     return grid.resized(int(np.ceil(grid.xi_of(grid.reach * edge) * n_theta / step)), n_theta)
 
 
