@@ -10,9 +10,9 @@ import skfem as fem
 from scipy.sparse import bmat
 from skfem.helpers import grad
 
-from softlube.model.dry import dry_contact_at
+from softlube.model.dry import PARABOLOID, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.indenters import Paraboloid, PowerShape, RoundedConeShape, RoundedPunchShape, SphereShape
+from softlube.model.indenters import PowerShape, RoundedConeShape, RoundedPunchShape, SphereShape
 from softlube.model.substrates import LayerKernel
 
 FINITE_ELEMENT_ERROR = 2e-4
@@ -44,7 +44,7 @@ def rim(u, v, w):
     return 2 * u[0] * v[0]
 
 
-def finite_element_load(chi, poisson_ratio=0.5, base="bonded", cells=16, outline=Paraboloid(), radius=1.0):
+def finite_element_load(chi, poisson_ratio=0.5, base="bonded", cells=16, outline=PARABOLOID, radius=1.0):
     """Load over Hertz's at the same indentation, of a sphere on a layer of thickness 1, χ = √(Rδ)/t, by finite elements.
 
     Another indenter has its outline in units of δ, as a function of the distance over √(Rδ), and about a contact radius.

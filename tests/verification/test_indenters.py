@@ -1,7 +1,5 @@
 """Indenters: dry contacts against closed forms, solved contacts against finer grids, and at what cost."""
 
-import time
-
 import numpy as np
 import pytest
 
@@ -17,7 +15,7 @@ PLACES = np.array([0.0, 0.2, 0.5, 0.8, 0.99]) * A
 
 
 def sneddon(depth, at):
-    """δ, N and p(r) of a contact of radius a by E* = 4G, normalised: N = (2/π) ∫₀ᵃ (g(a) − g) dx, p = (1/π²) ∫ g′/√(x² − r²) dx.
+    """δ, N = (2/π) ∫₀ᵃ (g(a) − g) dx and p(r) = (1/π²) ∫ g′/√(x² − r²) dx of a contact of radius a, normalised.
 
     Both by Gauss–Legendre quadrature of a transform g in closed form, in variables that take the roots away.
     """
@@ -113,16 +111,10 @@ def test_a_solution_is_that_of_finer_grids(name):
 
 
 @pytest.mark.parametrize("name", LUBRICATED)
-def test_it_costs_what_a_paraboloid_does(name):
-    """At the same β′ the same grids, and so at most 1.3 times the time; the time itself is too noisy to be tested closely."""
+def test_it_takes_the_grids_of_a_paraboloid(name):
+    """At the same β′ as many grids and angles, and at most 1.3 times the unknowns on the finest."""
     shape = LUBRICATED[name]
-    for effective in (100.0, 1e5):
-        seconds, cells = [], []
-        for each in (Paraboloid(), shape):
-            beta = like(effective, each)
-            softlube.solve(beta=beta, indenter=each)  # the operators of the grids are kept
-            began = time.process_time()
-            solution = softlube.solve(beta=beta, indenter=each)
-            seconds.append(time.process_time() - began)
-            cells.append(solution.levels[-1].n_theta)
-        assert cells[1] <= cells[0] or seconds[1] < 1.3 * seconds[0]
+    for effective in (300.0, 1e5):
+        plain, other = (softlube.solve(beta=like(effective, each), indenter=each).levels[-1] for each in (Paraboloid(), shape))
+        assert other.n_theta == plain.n_theta
+        assert other.n_r <= 1.3 * plain.n_r

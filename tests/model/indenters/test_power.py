@@ -5,7 +5,7 @@ import pytest
 
 import softlube
 from softlube.errors import InputError
-from softlube.model.indenters import PowerProfile, PowerShape
+from softlube.model.indenters import Paraboloid, PowerProfile, PowerShape, Sphere
 from softlube.model.parts import resolve
 
 
@@ -22,14 +22,19 @@ def test_the_coefficient_in_its_unit():
 def test_at_two_it_is_the_paraboloid_of_radius_one_over_twice_the_coefficient():
     part = PowerProfile("250 m^-1", exponent=2)
     assert part.reference_radius == pytest.approx(2e-3)
-    shape = part.shape(0.3, 0.7)
+    assert part.shape(0.3, 0.7) == Paraboloid()
+    shape = PowerShape(0.3, 0.7, 2.0)
     x = np.linspace(0, 3, 5)
     assert shape.height(x) == pytest.approx(x**2 / 2)
     assert shape.depth(x) == pytest.approx(x**2)
     paper = softlube.solve(beta=300.0)
-    ours = softlube.solve(beta=300.0, indenter=PowerShape(0.3, 0.7, 2.0))
+    ours = softlube.solve(beta=300.0, indenter=shape)
     for name, value in paper.quantities.items():
-        assert ours.quantities[name] == pytest.approx(value, rel=1e-9), name
+        assert ours.quantities[name] == pytest.approx(value, rel=1e-7), name
+    ball = {"young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "1 mm/s", "load": "20 mN"}
+    by_power, by_radius = (softlube.Contact(indenter=each, **ball).solve() for each in (part, Sphere("2 mm")))
+    for name, value in by_radius.dimensional.items():
+        assert by_power.dimensional[name] == pytest.approx(value, rel=1e-9), name
 
 
 @pytest.mark.parametrize("exponent", [2.0, 3.0, 4.5, 8.0])

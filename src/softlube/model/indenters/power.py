@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from softlube.errors import InputError, shown
-from softlube.model.indenters.base import Array, Curved, IndenterPart
+from softlube.model.indenters.base import Array, Curved, IndenterPart, Shape
+from softlube.model.indenters.sphere import Paraboloid
 from softlube.model.inputs import NUMBER, Input, given
 
 EXPONENTS = 2.0, 8.0
@@ -100,6 +101,6 @@ class PowerProfile(IndenterPart):
         """Half the radius at which the height is as large as the radius, C^(−1/(n−1))/2 [m]."""
         return self.coefficient ** (-1 / (self.exponent - 1)) / 2
 
-    def shape(self, unit: float, share: float) -> PowerShape:
-        """The power law."""
-        return PowerShape(unit, share, self.exponent)
+    def shape(self, unit: float, share: float) -> Shape:
+        """The power law; the paraboloid itself at n = 2."""
+        return Paraboloid() if self.exponent == 2 else PowerShape(unit, share, self.exponent)
