@@ -52,8 +52,8 @@ def fit(
     slide_to_roll
         Where the table has no such column; 2 for a ball that does not turn.
     free
-        What to fit: viscosity (the default), modulus, offset, or another input such as thickness or pressure_viscosity, whose
-        value is then where the search starts; may be given several times.
+        What to fit: viscosity (the default), modulus, offset, or another input such as thickness, pressure_viscosity,
+        relaxation_time or index, whose value is then where the search starts; may be given several times.
     noise
         "relative" (in proportion to the friction) or "absolute".
     robust

@@ -205,8 +205,8 @@ def fit(
     friction_offset : float
         Force that is added to the friction of the film, N.
     free : sequence of str
-        Of viscosity, young_modulus (or modulus), friction_offset (or offset), and any other positive input with a unit, such as
-        thickness or pressure_viscosity, which needs a value to start from.
+        Of viscosity, young_modulus (or modulus), friction_offset (or offset), and any other positive input with a unit or of a
+        liquid, such as thickness, pressure_viscosity, relaxation_time or index, which needs a value to start from.
     noise : {"relative", "absolute"}
         Whether the scatter is in proportion to the friction, or the same for all.  Its size is taken from the residuals.
     robust : bool
