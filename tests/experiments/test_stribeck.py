@@ -145,3 +145,25 @@ def test_a_liquid_that_thins_with_shear(slide_to_roll):
     solved = contact.solve().dimensional
     for column, name in (("film_center [m]", "film_center"), ("film_min [m]", "film_min"), ("friction [N]", "friction_total")):
         assert row[column] == pytest.approx(solved[name], rel=5e-3)
+
+
+@pytest.mark.slow
+def test_two_plateaus_over_four_decades_of_speed():
+    """A Carreau liquid between its plateaus from 0.1 to 1000 mm/s: the curve against contacts, and between both plateaus'."""
+    rig = {"radius": "9.5 mm", "young_modulus": "2.4 MPa"}
+    liquid = softlube.Carreau("0.1 Pa s", infinite_viscosity="2 mPa s", relaxation_time="1 ms", index=0.4)
+    contact = softlube.Contact(**rig, load="1 N", liquid=liquid, motion=softlube.Sliding("1 mm/s"))
+    table = softlube.stribeck_curve(contact, slowest="0.1 mm/s", fastest="1 m/s", points=9)
+    assert table["friction [N]"].notna().all()
+    columns = {"film_center [m]": "film_center", "friction [N]": "friction_total"}
+    for row in (0, 4, 8):
+        speed = 2 * table["entrainment_speed [m/s]"][row]
+        solved = softlube.Contact(**rig, load="1 N", liquid=liquid, motion=softlube.Sliding(speed)).solve().dimensional
+        for column, name in columns.items():
+            assert table[column][row] == pytest.approx(solved[name], rel=5e-3)
+    for viscosity, sign in (("0.1 Pa s", -1), ("2 mPa s", 1)):
+        plateau = softlube.stribeck_curve(
+            softlube.Rig(**rig, viscosity=viscosity), "1 N", slowest="0.1 mm/s", fastest="1 m/s", points=9
+        )
+        for column in columns:
+            assert np.all(sign * (table[column] - plateau[column]) > 0)
