@@ -30,6 +30,7 @@ from scipy.interpolate import PchipInterpolator
 
 from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE
+from softlube.model.indenters import PowerShape, RoundedPunchShape, Shape, SphereShape
 from softlube.model.liquids.barus import BarusLaw
 from softlube.model.liquids.roelands import RoelandsLaw
 from softlube.model.problem import Problem
@@ -74,7 +75,15 @@ def _roelands(rng: Random) -> dict[str, Any]:
     return {"beta": _between(rng, 10, 1e5), "liquid": law}
 
 
-STEADY: dict[str, Callable[[Random], dict[str, Any]]] = {
+def _shaped(rng: Random, indenter: Shape) -> dict[str, Any]:
+    """A contact of an indenter with β′ from 30 to 10⁶."""
+    known = _half_space(rng, 30, 1e6)
+    (name,) = known
+    like = Regime.of(Problem(**{name: 1.0}, indenter=indenter)).dry.like_hertz(1.0)
+    return {name: known[name] / like, "indenter": indenter}
+
+
+HALF_SPACES_AND_LAYERS: dict[str, Callable[[Random], dict[str, Any]]] = {
     "light": lambda rng: {"beta_load": _between(rng, 1e-4, 3.5)},
     "touching": lambda rng: {"beta_load": _between(rng, 3.5, 12)},
     "10-1e4": lambda rng: _half_space(rng, 10, 1e4),
@@ -85,8 +94,14 @@ STEADY: dict[str, Callable[[Random], dict[str, Any]]] = {
     "Barus": _barus,
     "Roelands": _roelands,
 }
+INDENTERS: dict[str, Callable[[Random], dict[str, Any]]] = {
+    "height r^4": lambda rng: _shaped(rng, PowerShape(_between(rng, 0.01, 1), 1.0, 4.0)),
+    "true sphere": lambda rng: _shaped(rng, SphereShape(0.3**2, 1.0)),
+    "punch": lambda rng: _shaped(rng, RoundedPunchShape(0.1, 1.0, face := rng.uniform(0.1, 0.3), 0.4 * face)),
+}
+STEADY = HALF_SPACES_AND_LAYERS | INDENTERS
 TRANSIENT = ("squeeze", "start of sliding")
-KINDS = (*STEADY, *TRANSIENT)
+KINDS = (*HALF_SPACES_AND_LAYERS, *TRANSIENT, *INDENTERS)
 
 
 def steady_problem(kind: str, rng: Random, case: int) -> Problem:

@@ -11,6 +11,7 @@ ORDER = (
     "fit_viscosity",
     "hyaluronic_acid",
     "layer_under_lens",
+    "worn_ball",
     "squeeze_dimple",
     "killed_sweep",
     "read_solution",

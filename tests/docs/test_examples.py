@@ -44,6 +44,17 @@ def test_stribeck_curve(tmp_path, monkeypatch):
     assert (tmp_path / "stribeck_curve.png").exists()
 
 
+def test_worn_ball(tmp_path, monkeypatch):
+    names = run("worn_ball", tmp_path, monkeypatch)
+    assert names["indenter"].tolerance == pytest.approx(names["NOISE"], rel=0.15)
+    assert abs(names["smoothing"]) < 0.01
+    # The flat that is left, √(2Rh) of the height worn off, bears the load with less pressure.
+    assert names["worn"].dimensional["contact_radius"] == pytest.approx(np.sqrt(2 * names["R"] * names["WORN"]), rel=0.3)
+    for quantity, told in (("film_center", -0.07), ("film_min", -0.22), ("friction_total", 0.4), ("pressure_max", -1 / 3)):
+        assert names["change"][quantity] == pytest.approx(told, abs=0.03)
+    assert (tmp_path / "worn_ball.png").exists()
+
+
 def test_fit_viscosity(tmp_path, monkeypatch):
     names = run("fit_viscosity", tmp_path, monkeypatch)
     assert names["viscosity"].low <= 2.0 <= names["viscosity"].high
