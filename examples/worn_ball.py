@@ -23,15 +23,15 @@ with open("worn_ball.csv", "w", encoding="utf-8") as file:
     file.write("\n".join(["r [mm], z [um]", *rows]))
 
 # %%
-# softlube smooths a profile by a spline that is even about the axis: with the fewest pieces that come as near to the heights as a
-# tolerance says. Without a tolerance it finds the noise by itself.
+# softlube smooths a profile by a spline that is even about the axis: with the fewest pieces that come as near to the heights as
+# a tolerance says. Without a tolerance it finds the noise by itself.
 
 indenter = softlube.Profile("worn_ball.csv")
 print(f"smoothed to {indenter.tolerance * 1e9:.1f} nm, reference radius {indenter.reference_radius * 1e3:.2f} mm")
 
 # %%
-# The contact takes the profile in place of a radius. `softlube solve --profile worn_ball.csv …` does the same, and says what the
-# next coarser smoothing would change.
+# The contact takes the profile in place of a radius. `softlube solve --profile worn_ball.csv …` does the same, and says what
+# the next coarser smoothing would change.
 
 rest = {"young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
 worn = softlube.Contact(indenter=indenter, **rest).solve()
@@ -43,8 +43,8 @@ for name in ("contact_radius", "pressure_max", "film_center", "film_min", "frict
 
 # %%
 # The flat lowers the pressure by a third. But towards its border the pressure rises more steeply than under the new ball, and
-# the film goes by that: it is 7 % thinner at the centre, 22 % at its thinnest, and the friction is 40 % larger. How much of that
-# hangs on the smoothing? With a tolerance of five times the noise the film changes by less than 1 %:
+# the film goes by that: it is 7 % thinner at the centre, 22 % at its thinnest, and the friction is 40 % larger. How much of
+# that hangs on the smoothing? With a tolerance of five times the noise the film changes by less than 1 %:
 
 coarse = softlube.Contact(indenter=softlube.Profile("worn_ball.csv", tolerance="100 nm"), **rest).solve()
 smoothing = float(coarse.dimensional["film_center"] / worn.dimensional["film_center"]) - 1
