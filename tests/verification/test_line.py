@@ -156,9 +156,9 @@ def test_a_thin_compressible_layer_is_a_row_of_springs():
     assert solution.free_boundary == pytest.approx(-width, rel=0.05)
 
 
-@pytest.mark.parametrize(("load", "digits"), [("30 N/mm", 0.3194), ("100 N/mm", 0.2731), ("300 N/mm", 0.2368)])
+@pytest.mark.parametrize(("load", "digits"), [("30 N/mm", 0.3194), ("100 N/mm", 0.2731), ("1 kN/mm", 0.2025)])
 def test_steel_and_oil_beside_dowson_and_higginson(load, digits):
-    """H_min = 2.65 U^0.7 G^0.54 W^(−0.13) (Dowson & Higginson 1966), 0.33 to 1.05 GPa: a comparison, not the truth."""
+    """H_min = 2.65 U^0.7 G^0.54 W^(−0.13) (Dowson & Higginson 1966), 0.33 to 1.9 GPa: a comparison, not the truth."""
     contact = LineContact(
         cylinder=Cylinder("10 mm", young_modulus="210 GPa", poisson_ratio=0.3),
         substrate=HalfSpace("210 GPa", poisson_ratio=0.3),

@@ -250,6 +250,9 @@ SPIKE = _table(
 )
 """Quantities of the Petrusevich spike, where a liquid that thickens with the pressure has one."""
 
+PARTS = ("friction_couette", "friction_poiseuille")
+"""Parts of a line contact's friction; their sum and their difference may vanish."""
+
 LINE = _table(
     Definition("load", "normal load per length", "N", "line_load", exponent=0),
     Definition("film_center", "film at the centre", "u(0)", "height", exponent=-3 / 5),
@@ -261,12 +264,23 @@ LINE = _table(
     Definition("pressure_max", "maximum pressure", "p_max", "pressure", exponent=0),
     Definition("pressure_max_place", "place of the maximum pressure", "x_p", "length", compared_with=(1.0,), place="at x ="),
     Definition("pressure_gradient_inlet", "largest |dp/dx| at x > 0", "max |dp/dx|", "pressure_gradient", exponent=1 / 5),
-    Definition("friction_total", "total friction per length", "F", "line_friction", exponent=-2 / 5),
+    Definition("friction_total", "total friction per length", "F", "line_friction", compared_with=PARTS, exponent=-2 / 5),
     Definition("friction_hysteresis", "by the substrate", "F_h", "line_friction", place="by the substrate"),
-    Definition("friction_viscous", "by the liquid", "F_v", "line_friction", place="by the liquid"),
-    Definition("friction_shear", "shear on the cylinder per length", "F_s", "line_friction", exponent=-2 / 5),
-    Definition("friction_couette", "of it by the surface speeds", "C", "line_friction", place="by the sliding"),
-    Definition("friction_poiseuille", "of it by the pressure gradient", "P", "line_friction", place="by the pressure gradient"),
+    Definition("friction_viscous", "by the liquid", "F_v", "line_friction", compared_with=PARTS, place="by the liquid"),
+    Definition(
+        "friction_shear", "shear on the cylinder per length", "F_s", "line_friction", compared_with=PARTS, exponent=-2 / 5
+    ),
+    Definition(
+        "friction_couette", "of it by the surface speeds", "C", "line_friction", compared_with=PARTS, place="by the sliding"
+    ),
+    Definition(
+        "friction_poiseuille",
+        "of it by the pressure gradient",
+        "P",
+        "line_friction",
+        compared_with=PARTS,
+        place="by the pressure gradient",
+    ),
     Definition("shear_rate_max", "maximum shear rate at the walls", "γ_max", "shear_rate", exponent=3 / 5),
 )
 """Quantities of a line contact, in the order in which they are printed; {0} stands for b²/R, L for b, half the width of the

@@ -18,6 +18,7 @@ from softlube.model.liquids import Liquid
 from softlube.model.liquids.thinning import ThinningLaw
 from softlube.model.problem import Problem
 from softlube.solvers.newton import Iteration, newton
+from softlube.steady.line.spike import foreseen, moved, steepest
 
 Array = NDArray[np.floating]
 
@@ -48,7 +49,7 @@ ROUNDS, LARGEST_MESH = 40, 250
 """Times at most that panels are split where the solution is not resolved, and panels at most."""
 TOLERANCE = 1e-9
 """Of Newton's method: the largest relative change of the film that the next step would make."""
-FIRST_STEP, SHORTEST_STEP = math.log(10.0), 0.01
+FIRST_STEP, SHORTEST_STEP = math.log(10.0), 1e-3
 """Continuation in ln β, and in the largest ln η/η₀: the first step, and the shortest, over the first, before it gives up."""
 FIRST_SHARE = 0.5
 """First step of the share of the thinning."""
@@ -89,7 +90,10 @@ def solve_on(problem: Problem, panels: Panels, near: LineState) -> Stage | None:
     """Newton's method on a mesh from a state that is near; None if it does not converge."""
     equations = LineEquations(problem, panels, near)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of iterates that go astray
-        result = newton(equations, equations.vector(near), tolerance=TOLERANCE)
+        try:
+            result = newton(equations, equations.vector(near), tolerance=TOLERANCE)
+        except ValueError:  # an iterate went so far astray that its Jacobian is not finite
+            return None
     return Stage(equations, equations.state(result.x), result.history) if result.converged else None
 
 
@@ -139,7 +143,15 @@ def first(problem: Problem) -> Stage | None:
     return resolved(solve_on(problem, panels, LineState(gradient, height, film, front)))
 
 
-def followed(stage: Stage, problem_at: Callable[[float], Problem], start: float, end: float, first: float) -> Iterator[Stage]:
+def followed(
+    stage: Stage,
+    problem_at: Callable[[float], Problem],
+    start: float,
+    end: float,
+    first: float,
+    *,
+    spike: bool = False,
+) -> Iterator[Stage]:
     """Continuation in a parameter from a stage, on meshes that follow the solution.
 
     Parameters
@@ -152,6 +164,8 @@ def followed(stage: Stage, problem_at: Callable[[float], Problem], start: float,
         Where the parameter starts and ends, start ≤ end.
     first : float
         Step of the parameter to begin with.
+    spike : bool
+        Whether the mesh goes along with the steepest pressure, see `softlube.steady.line.spike`.
 
     Yields
     ------
@@ -163,12 +177,15 @@ def followed(stage: Stage, problem_at: Callable[[float], Problem], start: float,
     NotConvergedError
         If the steps become too short.
     """
-    here, step = start, first
+    here, step, steps = start, first, list[tuple[float, float]]()
     while here < end:
         there = min(here + step, end)
         problem = problem_at(there)
         mesh = stage.panels.joined(unresolved(stage) < SPARE * RESOLVED)
-        found = resolved(solve_on(problem, mesh, transferred(stage, mesh)))
+        near = transferred(stage, mesh)
+        if move := foreseen(steps, there):
+            mesh = moved(mesh, steps[-1][1], move)
+        found = resolved(solve_on(problem, mesh, near))
         if found is None:
             step = (there - here) / 2
             if step < SHORTEST_STEP * first:
@@ -176,6 +193,8 @@ def followed(stage: Stage, problem_at: Callable[[float], Problem], start: float,
                 raise NotConvergedError(f"the continuation ended at beta_load = {stage.problem.parameter:.4g}{advice}")
             continue
         stage, here = found, there
+        if spike:
+            steps.append((here, steepest(stage.panels, stage.state.gradient)))
         step *= GROWTH
         yield stage
 
@@ -236,12 +255,17 @@ def march(problem: Problem) -> Iterator[Stage]:
     ways: list[tuple[Callable[[float], Problem], float, float, float]] = [(at, start, target, FIRST_STEP)]
     if weak.thins:
         ways.append((lambda share: at(target, weak if share >= 1 else Tempered(weak, share)), 0.0, 1.0, FIRST_SHARE))
-    if weak != problem.liquid:
-        ways.append((lambda share: at(target, problem.liquid.weakened(share) if share < 1 else problem.liquid), 0.0, 1.0, 1.0))
     for problem_at, begin, end, step in ways:
-        if end == 1.0 and step == 1.0:
-            highest = np.array([np.max(stage.equations.pressure(stage.state))])
-            step = min(1.0, FIRST_STEP / max(float(np.log(problem.liquid.viscosity(highest))[0]), FIRST_STEP))
         for nearer in followed(stage, problem_at, begin, end, step):
             stage = nearer
             yield stage
+    if weak == problem.liquid:
+        return
+    highest = np.array([np.max(stage.equations.pressure(stage.state))])
+    rise = float(np.log(problem.liquid.viscosity(highest))[0])
+    share = min(1.0, FIRST_STEP / max(rise, FIRST_STEP))
+
+    def thicker(part: float) -> Problem:
+        return at(target, problem.liquid if part >= 1 else problem.liquid.weakened(part))
+
+    yield from followed(stage, thicker, 0.0, 1.0, share, spike=True)
