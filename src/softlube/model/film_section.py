@@ -26,17 +26,27 @@ from numpy.typing import NDArray
 from softlube.model.liquids import Liquid
 
 Array = NDArray[np.floating]
+Fluidity = Callable[[Array], tuple[Array, Array]]
 
 POINTS = 10
 """Gauss's points on each part of the film: m is exact to some 1e-6 where the stress goes from a thousandth of what the liquid
 thins at to a thousand times that, and to 1e-10 with `EXACT` (tests/model/test_film_section.py)."""
 EXACT = 30
+STRAIGHT, STRAIGHT_POINTS = 0.3, 6
+"""Ratio of b to the mean stress below which ψ is smooth across the film, and Gauss's points for the whole of it then."""
 SHORT = 1e-6
 """Relative step of the mean stress that is the last one: what it leaves is its square."""
 MOST_STEPS = 60
 """Steps of Newton's method at most; four are usual."""
 LONGEST = 0.5
 """Largest change of the mean stress in one step, over the largest stress at the place."""
+
+
+@cache
+def _whole() -> tuple[Array, Array]:
+    """Places and weights on the whole film, in columns."""
+    x, weight = leggauss(STRAIGHT_POINTS)
+    return x[:, None] / 2, weight[:, None] / 2
 
 
 @cache
@@ -102,21 +112,39 @@ def film_section(liquid: Liquid, difference: Array, drag: Array, points: int = P
         zero = np.zeros(psi.size)
         moment[:, still], by_drag[:, still] = 0.0, 0.0
         by_difference[:, :, still] = np.array([[psi * (1 + slope), zero], [zero, psi]])
-    open_ = np.flatnonzero(~still)
+    found = Section(mean, moment, by_difference, by_drag)
+    straight = ~still & (size < STRAIGHT * along)
+    for places, whole in ((straight, True), (~still & ~straight, False)):
+        _converge(fluidity, difference, size, drag, found, np.flatnonzero(places), points, whole)
+    return found
+
+
+def _converge(
+    fluidity: Fluidity,
+    difference: Array,
+    size: Array,
+    drag: Array,
+    found: Section,
+    open_: NDArray[np.integer],
+    points: int,
+    whole: bool,
+) -> None:
+    """Newton's method at some places, from the mean stresses there; all is written to what is found."""
+    mean, moment, by_difference, by_drag = found
+    b_x, b_y = difference
     for _ in range(MOST_STEPS):
         if not open_.size:
-            break
+            return
         m_x, m_y = mean[:, open_]
-        c = drag[open_]
-        first, second = _integrals(fluidity, m_x, m_y, b_x[open_], b_y[open_], size[open_], points)
-        rate, turned = first[0], first[1]  # ∫ψτ, ∫ζψτ
+        first, second = _integrals(fluidity, m_x, m_y, b_x[open_], b_y[open_], size[open_], points, whole)
+        rate, turned = first  # ∫ψτ, ∫ζψτ
         a0, a1, a2 = second  # ∫T, ∫ζT, ∫ζ²T as xx, xy, yy
-        step = _solve(a0, np.stack([rate[0] - c, rate[1]]))
-        bound = LONGEST * (np.hypot(m_x, m_y) + size[open_] / 2)
+        step = _solve(a0, np.stack([rate[0] - drag[open_], rate[1]]))
+        largest = np.hypot(m_x, m_y) + size[open_] / 2
         length = np.hypot(step[0], step[1])
-        step = step * np.minimum(1.0, bound / np.maximum(length, 1e-300))
+        step = step * np.minimum(1.0, LONGEST * largest / np.maximum(length, 1e-300))
         mean[:, open_] -= step
-        last = length <= SHORT * (np.hypot(m_x, m_y) + size[open_] / 2)
+        last = length <= SHORT * largest
         if np.any(last):
             done = open_[last]
             a0, a1, a2 = a0[:, last], a1[:, last], a2[:, last]
@@ -127,33 +155,30 @@ def film_section(liquid: Liquid, difference: Array, drag: Array, points: int = P
             unit = np.stack([np.ones(done.size), np.zeros(done.size)])
             by_drag[:, done] = 12 * _times(a1, _solve(a0, unit))
             open_ = open_[~last]
-    return Section(mean, moment, by_difference, by_drag)
 
 
 def _integrals(
-    fluidity: Callable[[Array], tuple[Array, Array]], m_x: Array, m_y: Array, b_x: Array, b_y: Array, size: Array, points: int
+    fluidity: Fluidity, m_x: Array, m_y: Array, b_x: Array, b_y: Array, size: Array, points: int, whole: bool
 ) -> tuple[Array, Array]:
     """∫ζⁱψτ for i = 0, 1, and ∫ζⁱT, T = d(ψτ)/dτ, for i = 0, 1, 2 in its components xx, xy and yy."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        cut = np.where(size > 0, -(m_x * b_x + m_y * b_y) / size**2, 0.0)
-    at, share = _rule(points)
-    cut = np.clip(cut, -0.5, 0.5)[None]
-    below, above = 0.5 + cut, 0.5 - cut
-    place = np.concatenate([cut - below * at, cut + above * at])
-    weight = np.concatenate([below * share, above * share])
+    if whole:
+        place, weight = _whole()
+    else:
+        at, share = _rule(points)
+        cut = np.clip(-(m_x * b_x + m_y * b_y) / size**2, -0.5, 0.5)
+        below, above = 0.5 + cut, 0.5 - cut
+        place = np.concatenate([cut - below * at, cut + above * at])
+        weight = np.concatenate([below * share, above * share])
     x, y = m_x + place * b_x, m_y + place * b_y
     square = np.maximum(x * x + y * y, 1e-300)
     ln_psi, slope = fluidity(np.sqrt(square))
     psi = weight * np.exp(ln_psi)
     turn = psi * slope / square
-    px, py = psi * x, psi * y
-    xx, xy, yy = psi + turn * x * x, turn * x * y, psi + turn * y * y
-    first = np.array([[px.sum(0), py.sum(0)], [(place * px).sum(0), (place * py).sum(0)]])
-    second = []
-    for _ in range(3):
-        second.append([xx.sum(0), xy.sum(0), yy.sum(0)])
-        xx, xy, yy = xx * place, xy * place, yy * place
-    return first, np.array(second)
+    along, across = turn * x, turn * y
+    integrands = np.stack([psi * x, psi * y, psi + along * x, along * y, psi + across * y])  # ψτ, then T
+    once = integrands * place
+    first = np.stack([integrands[:2].sum(1), once[:2].sum(1)])
+    return first, np.stack([integrands[2:].sum(1), once[2:].sum(1), (once[2:] * place).sum(1)])
 
 
 def _times(matrix: Array, vector: Array) -> Array:
