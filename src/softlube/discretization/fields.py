@@ -289,7 +289,12 @@ class Fields:
     @cached_property
     def _ln_drag(self) -> Spline:
         """Logarithm of the mean shear stress along x over that of the liquid at rest, for a liquid that thins with shear."""
-        return self.nodal_spline(np.log(self.sheared.mean / self.sheared.rest))
+        return self.nodal_spline(np.log(self.thinned))
+
+    @property
+    def thinned(self) -> Array:
+        """Mean shear stress along x over that of the liquid at rest, on the nodes of `sheared`."""
+        return self.sheared.mean / self.sheared.rest
 
     def viscosity_on(self, at: Places) -> Array:
         """η(p)/η₀ at places, of the liquid at rest."""
@@ -300,12 +305,12 @@ class Fields:
 
         On the sphere the shear stress is this plus 3ū ∂p̄/∂x, on the substrate less.
         """
-        drag = self.viscosity_on(at) * self.slip / self.film_on(at)
-        if self.liquid.linear:
-            return drag
-        if self.liquid.thins and self.slip:
-            drag = drag * np.exp(self._ln_drag.on(at.across, at.along))
-        return self.liquid.limited(drag, self.pressure_on(at))
+        thinned = np.exp(self._ln_drag.on(at.across, at.along)) if self.liquid.thins and self.slip else 1.0
+        return self.drag_under(self.pressure_on(at), self.film_on(at), thinned)
+
+    def drag_under(self, pressure: Array, film: Array, thinned: Array | float = 1.0) -> Array:
+        """What `drag_on` gives, from pressure, film, and the mean shear stress over that of the liquid at rest."""
+        return self.liquid.limited(self.liquid.viscosity(pressure) * self.slip / film * thinned, pressure)
 
     def gradient_on(self, at: Places, spline: Spline | None = None) -> tuple[Array, Array]:
         """Cartesian gradient of the pressure, or of another spline, at places with ξ > 0."""

@@ -11,6 +11,7 @@ from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from softlube.discretization.elasticity import ElasticOperator, elastic_operator, rim_slice
@@ -36,6 +37,8 @@ fluidity is 10⁻¹⁰ that says that nothing flows however far the pressure fal
 FAR_STRESS = 1.4
 """Stress that the far field's pressure gradient causes, over that of the walls' mean speed: its wall stress is
 3u ∂p/∂r = 1.8/(βu) by Eq. (9), and counts in the flux by √(3/5)."""
+FAR_END, FAR_POINTS = 0.01, 16
+"""Radius of the rim over that beyond which the viscosity counts as constant, and points of the quadrature between them."""
 LEAST_LIFT, LIFTS = 0.25, 20
 """Least film of the first guess over the film at its centre, and largest number of attempts to reach it."""
 
@@ -101,24 +104,30 @@ class ContactSystem:
         self.constrained[:n] = problem.cavitation == "reynolds"
         # The far field, and with it the film, is linear in h₀: value = [0] + h₀ [1].
         rim = rim_slice(grid)
-        strength = (
-            self.speed
-            * self._far_viscosity(float(grid.r[-1]) ** 2 / 2)
-            * np.array(self.indenter.far_field(float(grid.r[-RIM])))
-        )
+        viscosity, borne = self._beyond(float(grid.r[-1]))
+        strength = self.speed * viscosity * np.array(self.indenter.far_field(float(grid.r[-RIM])))
         far = strength[:, None] * self.elastic.far_pressure[:, rim]
         self.rim_pressure = far
         self.film_offset = strength[:, None] * displaced
         self.film_offset[0] += np.repeat(self.indenter.height(grid.r), grid.shape[1])
         self.film_offset[1] += 1
-        self.load_offset = strength * self.elastic.far_load + far @ self.elastic.load_weights[rim]
+        self._thickened = strength * (borne - 1) * self.elastic.far_load
+        self.load_offset = strength * borne * self.elastic.far_load + far @ self.elastic.load_weights[rim]
 
-    def _far_viscosity(self, film: float) -> float:
-        """Viscosity over that at rest beyond the rim, where the far field counts as that of a liquid without thinning."""
+    def _beyond(self, rim: float) -> tuple[float, float]:
+        """Viscosity over that at rest at the rim, for the far field there, and the load beyond over that of this viscosity.
+
+        The far field of the pressure is η f(θ)/(βr³) with the viscosity η of the place, which rises as the shear rate falls
+        like r⁻²: the load goes like ∫ η r⁻² dr.  Far out, where a power law would never end, η rises no more.
+        """
         if not self.liquid.thins:
-            return 1.0
-        rate = self.speed / film * np.hypot(self.problem.slide_to_roll / 2, FAR_STRESS)
-        return float(viscosity_at(self.liquid, rate))
+            return 1.0, 1.0
+        x, weight = leggauss(FAR_POINTS)
+        place = np.append(FAR_END ** ((x + 1) / 2), [FAR_END, 1.0])  # rim/r
+        rate = self.speed * place**2 / (rim**2 / 2) * np.hypot(self.problem.slide_to_roll / 2, FAR_STRESS)
+        *along, last, viscosity = viscosity_at(self.liquid, rate)
+        total = -np.log(FAR_END) / 2 * np.sum(weight * along * place[:-2]) + last * FAR_END
+        return float(viscosity), float(total / viscosity)
 
     def height(self, x: Array) -> float:
         """Height h₀ of the sphere's lowest point."""
@@ -154,6 +163,10 @@ class ContactSystem:
         """Load ∫p dA over the whole plane."""
         n = self.grid.n_unknown
         return float(self.elastic.load_weights[:n] @ x[:n] + self.load_offset[0] + self.height(x) * self.load_offset[1])
+
+    def load_in_doubt(self, x: Array) -> float:
+        """Share of the load that is borne beyond the mesh because the viscosity of a liquid that thins rises there."""
+        return abs(float(self._thickened[0] + self.height(x) * self._thickened[1]) / self.load(x))
 
     def fields(self, x: Array) -> Fields:
         """Pressure and film in the problem's own unit of height."""

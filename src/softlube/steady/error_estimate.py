@@ -114,11 +114,14 @@ def looser(regime: Regime) -> Mapping[str, float]:
 
     On a layer the pressure falls to 5 % of its maximum far inside the dry contact, or not: the inlet's boundary layer is a
     difference that may vanish, and does not decide.  The film at the edge of the dry contact rises within that boundary layer,
-    which is narrow there, to several times the film at the centre; its error may be three times the accuracy.
+    which is narrow there, to several times the film at the centre; its error may be three times the accuracy.  A liquid that
+    thickens far outside, where it is hardly sheared, bears a load there that no mesh has, and of which the solution warns.
     """
     if regime.problem.substrate.memory is not None:
         return LOOSER_TRAIL
     factors = LOOSER_DEEP if regime.beta > COARSE_BETA else LOOSER
+    if regime.thickens_outwards:
+        factors = {**factors, "load": math.inf}
     return factors if regime.dry.substrate_rise == 1 else {**factors, "boundary_layer": math.inf, "film_inlet": 3.0}
 
 

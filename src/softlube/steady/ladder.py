@@ -13,6 +13,7 @@ import numpy as np
 
 from softlube.discretization.fields import Fields
 from softlube.discretization.measure import FRICTIONS, measure
+from softlube.discretization.system import ContactSystem
 from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.motions import FIXED_BALL
@@ -34,6 +35,11 @@ REFINED_ANGLES = 39
 """Angular intervals from which on a grid can be fine enough although a refinement determines some quantities on it."""
 LARGEST_PASSED_OVER = 3000
 """Unknowns of a grid without a solution beyond which finer ones are not tried: each would take minutes to have none either."""
+FAR_LOAD = (
+    "{share:.2g} of the load would be borne beyond the mesh because the viscosity rises without end where the liquid is hardly "
+    "sheared; give it a viscosity at rest, or count the load within the contact"
+)
+"""What is said of a power-law liquid whose far field bears a load."""
 LARGEST_ACCURACY = 0.1
 """Largest relative error that can be asked for."""
 
@@ -226,6 +232,12 @@ def solution_of(regime: Regime, solved: Sequence[Solved], accuracy: float, progr
     for refinement in refinements:
         quantities |= refinement.amend(solved, quantities, progress)
     levels = tuple(each.level for each in solved)
+    doubt = ContactSystem(regime.problem, finest.grid, regime.unit).load_in_doubt(finest.x)
+    warnings = sum((each.doubts(finest, quantities, estimate.errors, accuracy) for each in refinements), ())
+    if doubt > accuracy:
+        warnings += (FAR_LOAD.format(share=doubt),)
+    if not regime.problem.load_controlled:
+        quantities["load"] = Quantity(quantities["load"], max(quantities["load"].error, doubt * quantities["load"]))
     # Eq. (29): the load N̄ has the Hertz indentation δ = |h₀| (N̄/(4/3π))^(2/3), and β_load goes with δ².
     return Solution(
         problem=regime.problem,
@@ -236,7 +248,7 @@ def solution_of(regime: Regime, solved: Sequence[Solved], accuracy: float, progr
         accuracy=accuracy,
         levels=levels,
         renormalise=partial(renormalised, regime, levels, quantities),
-        warnings=sum((each.doubts(finest, quantities, estimate.errors, accuracy) for each in refinements), ()),
+        warnings=warnings,
     )
 
 

@@ -26,6 +26,8 @@ THICK = 2.5
 INLET_RATE = 0.5, 0.58
 """Shear rates that decide the film over the walls' mean speed over the film at the centre: of the sliding, S = 2, and of the
 pressure gradient, whose wall stress is largest where the film is twice that at the centre, 3/4, and counts by √(3/5)."""
+FAR = 400.0
+"""Square of the rim's radius over the mesh's unit of length, about, for the shear rate 2/(βr²) there; and 10⁴ times that."""
 VISCOSITY_STEPS = 60
 """Steps of the fixed point for the inlet's viscosity, each of which brings it nearer by the factor 0.6 (1 − n) at least."""
 FRONT_EDGE = 6.0
@@ -113,6 +115,14 @@ class Regime:
             viscosity=viscosity,
             front=dry.substrate_rise > FRONT_EDGE,
         )
+
+    @property
+    def thickens_outwards(self) -> bool:
+        """Whether the viscosity of a liquid that thins rises from the mesh's rim on outwards, and with it the load there."""
+        if not self.problem.liquid.thins:
+            return False
+        rim, beyond = viscosity_at(self.problem.liquid, np.array([2.0, 2e-4]) / (FAR * self.unit * self.problem.parameter))
+        return bool(beyond > 1.01 * rim)
 
     @property
     def suction(self) -> bool:

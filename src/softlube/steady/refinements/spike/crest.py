@@ -146,6 +146,7 @@ def couette_within(seen: CloseUp, pressure: Array, cutoff: float) -> float:
     nodes = chart.xi_of(fields.r)
     x, weight = leggauss(4)
     rays = np.empty(fields.theta.size)
+    thinned = fields.thinned if fields.liquid.thins and fields.slip else None
     for k, theta in enumerate(fields.theta):
         rim = seen.shift * np.cos(theta) + np.sqrt(cutoff**2 - (seen.shift * np.sin(theta)) ** 2)
         end = float(chart.xi_of(rim))
@@ -153,8 +154,9 @@ def couette_within(seen: CloseUp, pressure: Array, cutoff: float) -> float:
         xi = (edges[:-1, None] + np.diff(edges)[:, None] * (x + 1) / 2).ravel()
         r = chart.r_of(xi)
         area = (np.diff(edges)[:, None] * weight / 2).ravel() * chart.dr_dxi(r) * r
-        viscosity = fields.liquid.viscosity(np.interp(xi, nodes, pressure[:, k]))
-        rays[k] = area @ (viscosity / np.interp(xi, nodes, fields.film[:, k])) / fields.beta
+        held, film = np.interp(xi, nodes, pressure[:, k]), np.interp(xi, nodes, fields.film[:, k])
+        share = 1.0 if thinned is None else np.interp(xi, nodes, thinned[:, k])
+        rays[k] = area @ fields.drag_under(held, film, share)
     s = chart.s_of(fields.theta)
     rays[[0, -1]] /= 2
     return float(2 * (s[1] - s[0]) * rays @ chart.dtheta_ds(s))

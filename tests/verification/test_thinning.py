@@ -1,0 +1,110 @@
+"""Contacts under liquids that thin with shear: limits, balances, order of accuracy, errors, friction of steel."""
+
+import numpy as np
+import pytest
+
+import softlube
+from softlube import flow, friction
+from softlube.discretization.grid import PolarGrid
+from softlube.model.liquids import CarreauYasudaLaw, EyringLaw, LimitingStressLaw, NewtonianLaw, OstwaldLaw
+from softlube.model.problem import Problem
+from softlube.steady.level import solve_level
+from softlube.steady.regime import Regime
+
+REST = NewtonianLaw()
+NEWTONIAN = {
+    "n = 1": CarreauYasudaLaw(REST, 50.0, 1.0, 0.3),
+    "power law, n = 1": OstwaldLaw(REST, 1.0, 1.0),
+    "no relaxation time": CarreauYasudaLaw(REST, 1e-9, 0.4),
+    "large Eyring stress": EyringLaw(REST, 1e7),
+    "large limiting stress": LimitingStressLaw(REST, 1e12, 0.05),
+}
+
+
+@pytest.mark.parametrize("given", [{"beta": 300.0}, {"beta_load": 1e4}, {"beta": 2.0, "cavitation": "none"}])
+@pytest.mark.parametrize("law", NEWTONIAN.values(), ids=NEWTONIAN)
+def test_without_thinning_it_is_the_newtonian_contact(law, given):
+    thin, plain = (softlube.solve(**given, liquid=liquid, accuracy=0.01).quantities for liquid in (law, None))
+    assert {name: float(thin[name]) for name in plain} == pytest.approx(dict(plain), rel=1e-8)
+
+
+def test_on_the_second_plateau_it_is_newtonian_with_its_viscosity():
+    thin = softlube.solve(beta=300, liquid=CarreauYasudaLaw(REST, 1e20, 0.4, 0.1), accuracy=0.01).quantities
+    plain = softlube.solve(beta=3000, accuracy=0.01).quantities
+    assert {name: float(thin[name]) for name in plain} == pytest.approx(dict(plain), rel=1e-6)
+
+
+@pytest.fixture(scope="module", params=[0.0, 0.5, 2.0])
+def thinning(request):
+    law = CarreauYasudaLaw(REST, 100.0, 0.5, 0.01)
+    return softlube.solve(beta=1000, liquid=law, slide_to_roll=request.param)
+
+
+def test_forces_and_liquid_balance(thinning):
+    assert friction.split(thinning, 2.0).imbalance == pytest.approx(
+        0, abs=1e-4 if thinning.problem.slide_to_roll == 0 else 1e-6
+    )
+    assert friction.vertical_balance(thinning).imbalance < 1e-4
+    assert abs(flow.net_flux(thinning, 0.9)) < 1e-3
+
+
+def test_the_film_depends_on_the_sliding():
+    law = CarreauYasudaLaw(REST, 1000.0, 0.5)
+    rolling, sliding, back = (
+        softlube.solve(beta=1000, liquid=law, slide_to_roll=ratio, accuracy=0.01).film_center for ratio in (0.0, 2.0, -2.0)
+    )
+    assert sliding < 0.8 * rolling
+    assert back == pytest.approx(sliding, rel=1e-6)  # the law does not know which wall is the faster
+
+
+def test_order_of_accuracy_without_cavitation():
+    law = CarreauYasudaLaw(REST, 10.0, 0.5, 0.01)
+    problem = Problem(beta=30.0, cavitation="none", liquid=law, slide_to_roll=1.0)
+    names, sizes = ["film_center", "film_inlet", "load", "friction_domain"], np.array([24, 32, 43, 57])
+
+    def values(n):
+        grid = PolarGrid(n, n // 3 + 4, edge_width=0.15, side_width=0.5)
+        found = solve_level(Regime.of(problem), grid).level.values
+        return np.array([found[name] for name in names])
+
+    exact = values(150)
+    errors = [np.abs(values(n) / exact - 1) for n in sizes]
+    order = -np.polyfit(np.log(sizes), np.log(errors).mean(axis=1), 1)[0]
+    assert order > 3.5, (order, errors)
+
+
+@pytest.mark.slow
+def test_quoted_errors_hold():
+    """60 random Carreau contacts against the finest accuracy that is reached: at least 95 % of the errors hold."""
+    rng, held, counted = np.random.default_rng(21), 0, 0
+    for _ in range(60):
+        index, ratio, beta = rng.uniform(0.35, 1), rng.uniform(0, 2), 10 ** rng.uniform(np.log10(30), 5)
+        law = CarreauYasudaLaw(REST, 10 ** rng.uniform(-3, 3) * beta**0.4, index)
+        given = {"beta": beta, "liquid": law, "slide_to_roll": ratio, "budget": 300}
+        found = softlube.solve(**given).quantities
+        for accuracy in (1e-4, 2e-4, 4e-4):
+            try:
+                exact = softlube.solve(**given, accuracy=accuracy).quantities
+            except softlube.NotConvergedError:
+                continue
+            break
+        uncertain = [name for name, each in found.items() if each.error > 0]
+        counted += len(uncertain)
+        held += sum(abs(found[name] - exact[name]) <= found[name].error + 1e-12 * abs(exact[name]) for name in uncertain)
+    assert counted > 900
+    assert held >= 0.95 * counted
+
+
+@pytest.mark.slow
+def test_steel_with_a_limiting_stress_has_the_friction_of_an_oil():
+    steel = {
+        "radius": "10 mm", "young_modulus": "115 GPa", "poisson_ratio": 0.3, "viscosity": "0.1 Pa s", "load": "50 N",
+        "speed": "1 m/s", "pressure_viscosity": "20 GPa^-1", "density_law": "dowson-higginson",
+    }  # fmt: skip
+    limited = softlube.Contact(**steel, viscosity_law="roelands", limiting_stress="5 MPa", limiting_coefficient=0.05).solve(
+        accuracy=0.01
+    )
+    assert 0.02 < limited.dimensional["friction_coefficient"] < 0.06
+    assert not limited.warnings
+    eyring = softlube.Contact(**steel, pressure_law="roelands", eyring_stress="5 MPa").solve(accuracy=0.01)
+    assert 0.02 < eyring.dimensional["friction_coefficient"] < 0.06
