@@ -17,7 +17,8 @@ def row(owner, each):
 
 def test_every_input_stands_in_the_tables():
     lines = PAGE.read_text(encoding="utf-8").splitlines()
-    parts = [kind for slot in SLIDING_BODIES for kind in Part.slots[slot].values() if kind.__module__.startswith("softlube.")]
+    kinds = [Part.slots[slot] | Part.additions.get(slot, {}) for slot in SLIDING_BODIES]
+    parts = [kind for slot in kinds for kind in slot.values() if kind.__module__.startswith("softlube.")]
     expected = [row(f"`{kind.__name__}`", each) for kind in parts for each in kind.inputs.values()]
     groups = {"steady sliding": Loading, "squeeze film": Approach, "start of sliding": StartOfSliding, "measurement": Measured}
     groups["line contact"] = LineLoading

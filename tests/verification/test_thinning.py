@@ -108,3 +108,18 @@ def test_steel_with_a_limiting_stress_has_the_friction_of_an_oil():
     assert not limited.warnings
     eyring = softlube.Contact(**steel, pressure_law="roelands", eyring_stress="5 MPa").solve(accuracy=0.01)
     assert 0.02 < eyring.dimensional["friction_coefficient"] < 0.06
+
+
+@pytest.mark.slow
+def test_a_start_of_sliding_ends_in_the_steady_film():
+    """Of a liquid that thins, in the minimum film, which is there first; and without thinning all is Newtonian."""
+    ball = {"radius": "2 mm", "young_modulus": "3 MPa", "load": "100 mN", "speed": "1 mm/s"}
+    start = ball | {"initial_height": "20 um", "duration": "1 s", "accuracy": 0.05}
+    rest, plain = (
+        softlube.slide(**start, liquid=liquid).final["film_min"]
+        for liquid in (softlube.Carreau("2 Pa s", relaxation_time=1e-12, index=0.5), softlube.Newtonian("2 Pa s"))
+    )
+    assert rest == pytest.approx(plain, rel=1e-6)
+    liquid = softlube.Carreau("2 Pa s", relaxation_time="10 ms", index=0.5)
+    film = softlube.slide(**start, liquid=liquid).final["film_min"]
+    assert film == pytest.approx(softlube.Contact(**ball, liquid=liquid).solve().dimensional["film_min"], abs=film.error)

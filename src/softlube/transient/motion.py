@@ -20,7 +20,7 @@ from softlube.model.indenters import Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.transient import drives
-from softlube.transient.squeeze.rings import Control, SqueezeFilm
+from softlube.transient.squeeze.rings import Control, SqueezeFilm, radial_moment
 
 Array = NDArray[np.floating]
 
@@ -82,8 +82,6 @@ class Motion:
                 raise InputError(f"{name}: expected a positive, finite number, got {value!r}")
         if np.any(self.liquid.density(np.ones(1))[1]):
             raise InputError("liquid: the density must be constant where the film changes with time")
-        if not self.liquid.linear:
-            raise InputError("liquid: films that change with time are solved for liquids that do not thin with shear only")
         if not np.all(np.isfinite(self.samples)):
             raise InputError("history: not a finite number at every time from 0 to its end")
         if self.control == "load" and not np.any(self.samples):
@@ -191,8 +189,10 @@ class Motion:
             fluidity, _ = film.liquid.fluidity(pressure)
             if np.min(fluidity) < LEAST_FLUIDITY:
                 break
-            spline = CubicSpline(grid.xi, speed * grid.r * grid.dr_dxi(grid.r) / (2 * fluidity * u**3)).antiderivative()
-            driven = spline(grid.xi[-1]) - spline(grid.xi) + speed / (4 * u[-1] ** 2)
+            slope = _slope_for(film.liquid, speed * grid.r / (2 * fluidity), u)
+            spline = CubicSpline(grid.xi, slope * grid.dr_dxi(grid.r)).antiderivative()
+            # Beyond the last ring Taylor's pressure, as steep as the pressure is there.
+            driven = spline(grid.xi[-1]) - spline(grid.xi) + slope[-1] * u[-1] / (2 * grid.r[-1])
             if self.control == "load":
                 driven *= start / film.load(driven)
             change = driven - pressure
@@ -296,3 +296,18 @@ def history(control: Control, time: ArrayLike, values: ArrayLike, initial_height
         float(time[-1]),
         longest_step=max(2 * float(np.diff(time).min()), float(time[-1]) / 2000),
     )
+
+
+def _slope_for(liquid: Liquid, flux: Array, film: Array) -> Array:
+    """−∂p/∂r that drives a flux over the fluidity at rest, u³ times it for constant viscosity, see `radial_moment`."""
+    if not liquid.thins:
+        return flux / film**3
+    wanted = 6 * flux / film**2
+    difference = wanted.copy()
+    for _ in range(LARGEST_ITERATIONS):
+        moment, mobility = radial_moment(liquid, difference)
+        step = (np.log(moment) - np.log(wanted)) * moment / (mobility * difference)  # of ln b, with a slope from 1 to 1/n
+        difference *= np.exp(-step)
+        if np.max(np.abs(step)) < 1e-12:
+            break
+    return difference / (6 * film)

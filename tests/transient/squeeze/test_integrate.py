@@ -9,10 +9,13 @@ from scipy.interpolate import CubicSpline
 from softlube.errors import InputError
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
-from softlube.model.liquids import BarusLaw, RoelandsLaw
+from softlube.model.liquids import BarusLaw, CarreauYasudaLaw, NewtonianLaw, OstwaldLaw, RoelandsLaw
 from softlube.model.substrates import LayerKernel
 from softlube.transient.motion import constant_load, constant_speed, history
 from softlube.transient.squeeze.integrate import integrate
+
+THICK, THIN = (CarreauYasudaLaw(NewtonianLaw(), time, 0.4, 0.5) for time in (1e-9, 1e20))
+"""A liquid at rest whatever happens, and one on its second plateau, half the viscosity."""
 
 
 @pytest.fixture(scope="module")
@@ -177,3 +180,25 @@ def test_a_thickening_liquid_drains_later(dimple):
     assert ratios[1][1:] == pytest.approx(2 * ratios[0][1:], rel=0.05)
     assert ratios[0].max() < 0.01
     assert film(RoelandsLaw(5.0, 1.0, 1.0)) == pytest.approx(film(BarusLaw(5.0)), rel=1e-6)
+
+
+def test_a_power_law_under_a_nearly_rigid_sphere():
+    """The load π∫ r² |∂p/∂r| dr with the slope that drives V r/2 out, in closed form, at every height."""
+    n, speed = 0.85, 1e-8
+    stress = speed  # some of the thinning's range: b is of the order of the speed
+    motion = replace(constant_speed(speed, 1.0, 0.7 / speed), liquid=OstwaldLaw(NewtonianLaw(), stress, n))
+    run = integrate(motion, rings=91, tolerance=1e-8)
+    r = np.geomspace(1e-4, 1e4, 4001)
+    for step in (0, -1):
+        u = run.heights[step] + r**2 / 2
+        slope = 2 * stress * ((2 * n + 1) / n * speed * r / u**2 / (2 * stress)) ** n / (6 * u)
+        assert run.loads[step] == pytest.approx(np.pi * np.trapezoid(r**3 * slope, np.log(r)), rel=3e-3)
+
+
+def test_a_liquid_that_does_not_thin_yet_is_newtonian_in_time():
+    plain = constant_load(HERTZ_LOAD, 2.0, 30.0)
+    runs = [integrate(replace(plain, liquid=law), rings=40, tolerance=1e-6) for law in (NewtonianLaw(), THICK, THIN)]
+    assert runs[1].heights[-1] == pytest.approx(runs[0].heights[-1], rel=1e-5)
+    # On the second plateau the time goes twice as fast.
+    slow = integrate(replace(plain, duration=60.0), rings=40, tolerance=1e-6)
+    assert runs[2].heights[-1] == pytest.approx(slow.heights[-1], rel=1e-4)

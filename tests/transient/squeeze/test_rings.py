@@ -6,7 +6,7 @@ import pytest
 from softlube.discretization.elasticity import elastic_operator
 from softlube.discretization.grid import PolarGrid
 from softlube.model.exact import hertz_pressure
-from softlube.model.liquids import BarusLaw, NewtonianLaw, RoelandsLaw
+from softlube.model.liquids import BarusLaw, CarreauYasudaLaw, NewtonianLaw, OstwaldLaw, RoelandsLaw
 from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 from softlube.transient.squeeze.rings import SqueezeFilm
 
@@ -107,3 +107,25 @@ def test_barus_under_a_rigid_sphere(alpha):
     fluidity, _ = film.liquid.fluidity(film.midpoint @ p)
     flux = film.conductance * fluidity * (film.midpoint @ h) ** 3 * (film.slope @ p)
     assert film.rate(flux)[:-2] == pytest.approx(-0.3, rel=5e-4)
+
+
+def test_the_flux_of_a_power_law_is_its_closed_form():
+    """Q = (2n/(2n+1)) (u/2)^((2n+1)/n) (|∂p/∂r|/K)^(1/n), here r φu²m/6 with m = (12n/(2n+1)) (b/4) (|b|/2t₁)^(1/n−1)."""
+    n, film = 0.6, SqueezeFilm.on(GRID, "height", liquid=OstwaldLaw(NewtonianLaw(), 0.3, 0.6))
+    lift = 0.4 + 0.1 * np.exp(-(film.grid.r[: film.n] ** 2))
+    u = film.midpoint @ film.whole_film(lift, 0.5)
+    slope = (film.slope @ film.pressure(lift, 0.5)) * film.across
+    b = 6 * u * slope
+    moment = 12 * n / (2 * n + 1) * b / 4 * (np.abs(b) / 0.6) ** (1 / n - 1)
+    expected = GRID.r_face[: film.n + 2] * u**2 * moment / 6
+    assert film.flux(lift, 0.5) == pytest.approx(expected, rel=1e-9, abs=1e-12 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("liquid", [OstwaldLaw(BarusLaw(2.0), 0.3, 0.6), CarreauYasudaLaw(NewtonianLaw(), 20.0, 0.5, 0.01)])
+def test_derivative_of_a_thinning_flux_is_that_of_differences(liquid):
+    film = SqueezeFilm.on(GRID.resized(24, 6), "load", liquid=liquid)
+    lift = 0.4 + 0.1 * np.exp(-(film.grid.r[: film.n] ** 2))
+    change, step = np.cos(film.grid.r[: film.n]), 1e-6
+    numeric = (film.flux(lift + step * change, 0.5) - film.flux(lift - step * change, 0.5)) / (2 * step)
+    found = film.flux_derivative(lift, 0.5) @ change
+    assert found == pytest.approx(numeric, abs=1e-7 * np.abs(numeric).max())

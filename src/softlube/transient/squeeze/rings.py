@@ -26,6 +26,7 @@ from softlube.discretization.grid import RIM, PolarGrid
 from softlube.discretization.radial import radial_operators
 from softlube.discretization.reynolds import ReynoldsOperator
 from softlube.model.dry import PARABOLOID
+from softlube.model.film_section import film_section
 from softlube.model.indenters import Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.substrates import HalfSpaceKernel, Substrate
@@ -37,6 +38,12 @@ DECAY = 4
 """Far outside the film is the parabola and the flux that of a falling disc, so p → V/r⁴ (V speed of descent)."""
 ANGLES = 6
 """Angular intervals of the grid from which the rings are taken; any number does."""
+
+
+def radial_moment(liquid: Liquid, difference: Array) -> tuple[Array, Array]:
+    """M of `softlube.model.film_section` where the walls do not slide, and its derivative by b."""
+    section = film_section(liquid, np.stack([difference, np.zeros_like(difference)]), np.zeros_like(difference))
+    return section.moment[0], section.by_difference[0, 0]
 
 
 @dataclass(frozen=True)
@@ -63,8 +70,8 @@ class SqueezeFilm:
         Weights of ∫p dA over the whole plane.
     slope, midpoint, divergence : ndarray
         Differences of the Reynolds equation, see `softlube.discretization.reynolds.ReynoldsOperator`.
-    conductance : ndarray
-        Metric factor of u³∂p on the faces.
+    conductance, across : ndarray
+        Metric factor of u³∂p on the faces, and of ∂p/∂r in it.
     cell : ndarray, shape (n,)
         Measure of the cells: 2π ∑ cell u is the liquid's volume, and what the fluxes conserve.
     liquid : Liquid
@@ -86,6 +93,7 @@ class SqueezeFilm:
     midpoint: Array
     divergence: Array
     conductance: Array
+    across: Array
     cell: Array
     liquid: Liquid
 
@@ -149,6 +157,7 @@ class SqueezeFilm:
             midpoint=rings(differences.midpoint[radial].toarray()),
             divergence=divergence,
             conductance=operator.conductance[radial].reshape(-1, angles)[:, 0] / spin,
+            across=1 / grid.dr_dxi(grid.r_face[: n + 2]),
             cell=cell,
             liquid=liquid or NewtonianLaw(),
         )
@@ -201,21 +210,38 @@ class SqueezeFilm:
             return np.ones(1), np.zeros(1)
         return self.liquid.fluidity(self.midpoint @ self.pressure(lift, drive))
 
+    def _driven(self, lift: Array, drive: float) -> tuple[Array, Array, Array, Array]:
+        """Flux on the faces, and its derivatives by the slope of the pressure, by the film and by the pressure there.
+
+        A liquid that thins with shear has φu²m/6 in place of φu³∂p/∂r, see `softlube.model.film_section`.
+        """
+        film, slope = self._films_and_slopes(lift, drive)
+        fluidity, thickening = self._fluidity(lift, drive)
+        if not self.liquid.thins:
+            mobility = self.conductance * film**3
+            pushed = 3 * self.conductance * fluidity * film**2 * slope
+            return mobility * fluidity * slope, mobility * fluidity, pushed, mobility * thickening * slope
+        moment, mobility = radial_moment(self.liquid, difference := 6 * film * slope * self.across)
+        size = self.conductance / self.across * film / 6
+        return (
+            size * fluidity * film * moment,
+            self.conductance * fluidity * film**3 * mobility,
+            size * fluidity * (2 * moment + mobility * difference),
+            size * thickening * film * moment,
+        )
+
     def flux(self, lift: Array, drive: float) -> Array:
         """Flux r φu³ ∂p/∂r on the faces: the inflow, over 2π."""
-        film, slope = self._films_and_slopes(lift, drive)
-        return self.conductance * self._fluidity(lift, drive)[0] * film**3 * slope
+        return self._driven(lift, drive)[0]
 
     def flux_derivative(self, lift: Array, drive: float) -> Array:
         """∂flux/∂u, exact, shape (faces, n)."""
-        film, slope = self._films_and_slopes(lift, drive)
-        fluidity, thickening = self._fluidity(lift, drive)
+        _, by_slope, by_film, by_pressure = self._driven(lift, drive)
         film_by_lift, _, slope_by_lift, _ = self._on_faces
-        mobility = self.conductance * film**3
-        by_lift = (3 * self.conductance * fluidity * film**2 * slope)[:, None] * film_by_lift
-        by_lift += (mobility * fluidity)[:, None] * slope_by_lift
-        if np.any(thickening):
-            by_lift += (mobility * thickening * slope)[:, None] * self._pressure_on_faces
+        by_lift = by_film[:, None] * film_by_lift
+        by_lift += by_slope[:, None] * slope_by_lift
+        if np.any(by_pressure):
+            by_lift += by_pressure[:, None] * self._pressure_on_faces
         return by_lift
 
     @cached_property
