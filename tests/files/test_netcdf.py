@@ -173,3 +173,24 @@ def test_loading_what_is_not_a_solution(tmp_path):
     xr.Dataset({"a": 1}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
     with pytest.raises(softlube.InputError, match="does not hold a solution"):
         softlube.load(tmp_path / "other.nc")
+
+
+@pytest.mark.parametrize("law", [{"relaxation_time": "10 ms", "index": 0.5}, {"limiting_stress": "1 kPa"}])
+def test_a_liquid_that_depends_on_the_sliding_comes_back(tmp_path, law):
+    contact = softlube.Contact(
+        radius="2 mm",
+        young_modulus="3 MPa",
+        entrainment_speed="0.1 mm/s",
+        slide_to_roll=0.5,
+        load="100 mN",
+        viscosity=2.0,
+        **law,
+    )
+    solution = contact.solve(accuracy=0.02)
+    solution.save(tmp_path / "a.nc")
+    again = softlube.load(tmp_path / "a.nc")
+    assert (again.contact, again.problem) == (contact, solution.problem)
+    assert again.problem.slide_to_roll == 0.5
+    assert again.quantities == solution.quantities
+    assert again.dimensional == solution.dimensional
+    assert ("shear_rate_mean" in again.dimensional) == ("index" in law)
