@@ -5,7 +5,7 @@ import pytest
 
 import softlube
 from softlube.model.indenters import SphereShape
-from softlube.physical.indenter_effect import effect, notes
+from softlube.physical.indenter_effect import effect, notes, notes_in_time
 
 BALL = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "speed": "0.1 mm/s", "load": "100 mN"}
 
@@ -48,3 +48,13 @@ def test_a_measured_profile_says_what_its_smoothing_does(tmp_path):
     assert reference.startswith("lengths are normalised with the reference radius of the indenter, 1.8")
     assert "root mean square" in smoothing
     assert "film at the centre" in smoothing
+
+
+def test_a_squeeze_film_says_it_of_its_deepest_contact():
+    rest = {name: value for name, value in BALL.items() if name != "speed"} | {"initial_height": "50 um", "duration": "1 ms"}
+    fall = softlube.squeeze(**rest)
+    (note,) = notes_in_time(fall.setup, fall.motion)
+    assert "0.17 R" in note
+    assert "indentation of a dry contact +0.19 %" in note
+    true = softlube.squeeze(**rest, true_shape=True)
+    assert notes_in_time(true.setup, true.motion) == []

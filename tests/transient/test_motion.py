@@ -6,9 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
 from softlube.errors import InputError
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.indenters import PowerShape
 from softlube.model.liquids import BarusLaw
 from softlube.model.substrates import LayerKernel
 from softlube.transient.drives import sampled
@@ -17,7 +19,7 @@ from softlube.transient.squeeze.rings import SqueezeFilm
 
 
 def _start(motion):
-    film = SqueezeFilm.on(motion.grid(96), motion.control)
+    film = SqueezeFilm.on(motion.grid(96), motion.control, indenter=motion.indenter)
     return film, motion.first_pressure(film)
 
 
@@ -35,6 +37,15 @@ def test_start_of_a_constant_speed_squeezes_out_what_it_displaces():
     flux = film.conductance * (film.midpoint @ u) ** 3 * (film.slope @ p)
     rate = film.rate(flux)
     assert rate[film.grid.r[: film.n] < 10] == pytest.approx(-0.5, rel=2e-3)
+
+
+def test_start_under_a_blunt_indenter():
+    """Far over the surface, where nothing yields, p = ∫ V r/(2u³) dr with u = h₀ + r⁴/8."""
+    motion = replace(constant_speed(1e-6, 2.0, 1.0), indenter=PowerShape(1.0, 1.0, 4.0))
+    film, p = _start(motion)
+    r = film.grid.r[::12]
+    exact = [quad(lambda x: 1e-6 * x / (2 * (2 + x**4 / 8) ** 3), each, np.inf)[0] for each in r]
+    assert p[::12] == pytest.approx(exact, abs=1e-3 * exact[0])
 
 
 def test_separation_starts_at_rest():

@@ -69,7 +69,8 @@ def squeeze(
     from softlube.experiments.approach import slide
     from softlube.experiments.approach import squeeze as film
     from softlube.files.transient import contents
-    from softlube.physical.squeeze import WRITTEN_WAYS, check_one_way
+    from softlube.physical.indenter_effect import notes_in_time
+    from softlube.physical.squeeze import WRITTEN_WAYS, Setup, check_one_way
     from softlube.transient.squeeze.result import Squeeze
 
     slides = bool(names_of([Sliding.slot]).keys() & physical.keys())
@@ -109,6 +110,8 @@ def squeeze(
         took += f"balance of volume to {result.run.volume_error:.0e}."
     else:
         remarks, took = [], f"{result.time.size} time steps on {result.angles[-1]} angles in {seconds:.1f} s."
+    if isinstance(result.setup, Setup):
+        remarks += [f"{note[0].upper()}{note[1:]}." for note in notes_in_time(result.setup, result.motion)]
     print(echo(inputs))
     _report(result, " of sliding" if slides else "", remarks, [took, *(f"Wrote {printable(path)}" for path in written)])
     return 0

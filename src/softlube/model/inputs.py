@@ -66,6 +66,8 @@ class Input:
     flat : str
         Its name where it stands among the inputs of a whole experiment, if the attribute's name is taken there: the
         `young_modulus` of a ball is the `ball_young_modulus` of a contact.
+    kept : bool
+        Whether it follows from the others, and files keep it; nobody writes it, and a contact does not show it.
     """
 
     name: str
@@ -85,10 +87,11 @@ class Input:
         synonyms: tuple[str, ...] = (),
         derived: Callable[[Any], float] | None = None,
         flat: str = "",
+        kept: bool = False,
     ) -> None:
         self.words, self.dimension, self.example, self.default = words, dimension, example, default
         self.signed, self.between, self.remark, self.absent = signed, between, remark, absent
-        self.synonyms, self.derived, self.flat, self._choices = synonyms, derived, flat, choices
+        self.synonyms, self.derived, self.flat, self.kept, self._choices = synonyms, derived, flat, kept, choices
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = self.flat or name

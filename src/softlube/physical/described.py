@@ -29,7 +29,11 @@ class Described(Materials, Summarised):
     def given(self) -> dict[str, float | str]:
         """Its inputs in SI by their names, without those that are absent, have their default, or follow from the others."""
         known = declared()
-        found = {name: value for name, value in self.inputs().items() if value is not None and value != known[name].default}
+        found = {
+            name: value
+            for name, value in self.inputs().items()
+            if value is not None and value != known[name].default and not known[name].kept
+        }
         for part in vars(self).values():
             if isinstance(part, Part) and part.selector in found:
                 others = {name: value for name, value in found.items() if name != part.selector}

@@ -15,7 +15,11 @@ from softlube.physical.materials import effects_of
 from softlube.steady.regime import Regime
 
 if TYPE_CHECKING:
+    from softlube.model.dry import DryContact
     from softlube.physical.contact import Contact
+    from softlube.physical.materials import Materials
+    from softlube.physical.squeeze import Setup
+    from softlube.transient.motion import Motion
 
 WIDE_FOR_A_PARABOLA = 0.1
 """Contact radius over the sphere's beyond which it is said what the true shape changes: the film by half a percent there."""
@@ -27,6 +31,12 @@ LAW_ERROR = 1.2
 Differences of solved contacts lie within it (docs/theory/indenters.md)."""
 
 
+WOULD_CHANGE = (
+    "the contact's radius is {share:.2g} R, and the sphere is taken for its paraboloid; its true shape (true_shape) would "
+    "change: {effects}"
+)
+
+
 def notes(contact: Contact) -> list[str]:
     """What is to be said of a contact's indenter: sentences without a full stop, none for a narrow contact of a sphere."""
     indenter, said = contact.indenter, []
@@ -36,12 +46,8 @@ def notes(contact: Contact) -> list[str]:
             f"lengths are normalised with the reference radius of the indenter, {_short(indenter.reference_radius)}, "
             "as with the radius of a sphere"
         )
-    elif not indenter.true_shape and (share := radius / indenter.radius) > WIDE_FOR_A_PARABOLA:
-        true = SphereShape(contact.unit_height / indenter.radius, contact.reduced_radius / indenter.radius)
-        said.append(
-            f"the contact's radius is {share:.2g} R, and the sphere is taken for its paraboloid; its true shape (true_shape) "
-            f"would change: {effects_of(effect(contact, true))}"
-        )
+    elif (true := _true_shape(contact, contact.unit_height, radius)) is not None:
+        said.append(WOULD_CHANGE.format(share=radius / indenter.radius, effects=effects_of(effect(contact, true))))
     if isinstance(indenter, Profile) and radius:
         chosen, coarser = indenter.smoothed
         if coarser != chosen:
@@ -52,6 +58,37 @@ def notes(contact: Contact) -> list[str]:
                 f"to {_short(coarser.deviation)}, would change: {effects_of(effect(contact, other))}"
             )
     return said
+
+
+def notes_in_time(setup: Setup, motion: Motion) -> list[str]:
+    """What is to be said of the indenter of a squeeze film: how the true sphere's deepest dry contact differs."""
+    here = motion.deepest
+    if here is None or not isinstance(setup.indenter, Sphere):
+        return []
+    radius = here.radius * setup.units["length"][0]
+    true = _true_shape(setup, setup.unit_height, radius)
+    if true is None:
+        return []
+    there = replace(motion, indenter=true).deepest
+    assert there is not None
+    changes = _dry_changes(here, there, by_load=motion.control == "load")
+    return [WOULD_CHANGE.format(share=radius / setup.indenter.radius, effects=effects_of(changes))]
+
+
+def _true_shape(materials: Materials, unit_height: float, radius: float) -> SphereShape | None:
+    """The true shape of a sphere that is taken for its paraboloid, if the contact's radius [m] is so large that it matters."""
+    ball = materials.indenter
+    if not isinstance(ball, Sphere) or ball.true_shape or not radius > WIDE_FOR_A_PARABOLA * ball.radius:
+        return None
+    return SphereShape(unit_height / ball.radius, materials.reduced_radius / ball.radius)
+
+
+def _dry_changes(here: DryContact, there: DryContact, *, by_load: bool) -> dict[str, tuple[float, float]]:
+    """By what share one dry contact differs from another one, exactly."""
+    changes = {"contact radius": (there.radius / here.radius - 1, 0.0)}
+    if by_load:
+        return changes | {"indentation of a dry contact": (there.indentation / here.indentation - 1, 0.0)}
+    return changes | {"load of a dry contact": (there.load / here.load - 1, 0.0)}
 
 
 def effect(contact: Contact, other: Shape) -> dict[str, tuple[float, float]]:
@@ -73,11 +110,7 @@ def effect(contact: Contact, other: Shape) -> dict[str, tuple[float, float]]:
 
     problem = contact.problem()
     here, there = Regime.of(problem).dry, Regime.of(replace(problem, indenter=other)).dry
-    changes = {"contact radius": (there.radius / here.radius - 1, 0.0)}
-    if problem.load_controlled:
-        changes["indentation of a dry contact"] = there.indentation / here.indentation - 1, 0.0
-    else:
-        changes["load of a dry contact"] = there.load / here.load - 1, 0.0
+    changes = _dry_changes(here, there, by_load=problem.load_controlled)
     beta = here.like_hertz(problem.parameter)
     if beta < LIMIT:
         return changes

@@ -10,6 +10,7 @@ from softlube.discretization.measure import measure
 from softlube.discretization.system import ContactSystem
 from softlube.errors import InputError
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.indenters import PowerShape, SphereShape
 from softlube.model.liquids import BarusLaw, NewtonianLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel, LayerKernel
@@ -75,6 +76,16 @@ def test_every_motion_ends_in_its_steady_sliding(beta, motion, substrate, liquid
     late = measure(run.fields[-1])
     for name in (*COMPARED, "load"):
         assert late[name] == pytest.approx(steady[name], rel=2e-4, abs=1e-9), name
+
+
+@pytest.mark.parametrize("indenter", [PowerShape(1.0, 1.0, 4.0), SphereShape(0.2, 1.0)])
+def test_under_any_indenter_it_ends_in_steady_sliding(indenter):
+    motion = replace(constant_load(HERTZ_LOAD, 1.0, 800.0), indenter=indenter)
+    problem, _ = deepest_problem(BETA, motion, "reynolds")
+    steady = solve_level(Regime.of(problem), grid_for(Regime.of(problem), 13)).level.values
+    late = measure(start_sliding(BETA, motion, n_theta=13, tolerance=3e-3).fields[-1], Regime.of(problem).edge_radius)
+    for name in COMPARED:
+        assert late[name] == pytest.approx(steady[name], rel=1e-3), name
 
 
 def test_on_a_layer_to_the_accuracy_of_the_steady_solver():

@@ -9,8 +9,9 @@ from scipy.interpolate import CubicSpline
 from softlube.errors import InputError
 from softlube.model.dry import dry_contact_at
 from softlube.model.exact import HERTZ_LOAD
+from softlube.model.indenters import PowerShape, RoundedPunchShape, SphereShape
 from softlube.model.liquids import BarusLaw, CarreauYasudaLaw, NewtonianLaw, OstwaldLaw, RoelandsLaw
-from softlube.model.substrates import LayerKernel
+from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 from softlube.transient.motion import constant_load, constant_speed, history
 from softlube.transient.squeeze.integrate import integrate
 
@@ -133,6 +134,22 @@ def test_on_a_layer_the_end_is_the_dry_contact(layer):
     inside = r < 0.8 * dry.radius
     assert run.pressures[-1][inside] == pytest.approx(dry.pressure(r[inside]), rel=2e-3)
     assert run.loads[-1] == pytest.approx(HERTZ_LOAD, rel=1e-8)  # round-off of a thin film over a stiff layer
+    assert run.volume_error < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("indenter", "distance"),
+    [(SphereShape(0.2, 1.0), 2e-3), (PowerShape(1.0, 1.0, 4.0), 2e-2), (RoundedPunchShape(1.0, 1.0, 0.5, 0.2), 3e-2)],
+)
+def test_under_any_indenter_the_end_is_the_dry_contact(indenter, distance):
+    """Blunt ones come there late: their dry pressure is lowest on the axis, and holds a lens of liquid there."""
+    dry = dry_contact_at(HalfSpaceKernel(), load=HERTZ_LOAD, indenter=indenter)
+    run = integrate(replace(constant_load(HERTZ_LOAD, 2.0, 1e6), indenter=indenter), rings=91, tolerance=1e-6)
+    left = 1 + np.interp([1e4, 1e5, 1e6], run.time, run.heights) / dry.indentation
+    assert np.all(np.diff(left) < 0)
+    assert left[2] < distance
+    outer = (run.film.grid.r > 0.6 * dry.radius) & (run.film.grid.r < 0.8 * dry.radius)
+    assert run.pressures[-1][outer] == pytest.approx(dry.pressure(run.film.grid.r[outer]), rel=4 * distance)
     assert run.volume_error < 1e-6
 
 

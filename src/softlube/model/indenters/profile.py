@@ -170,19 +170,22 @@ def smoothings(r: Array, z: Array, tolerance: float | None) -> tuple[Smoothed, S
             f"{size.max():.3g} m, from the axis"
         )
     counts = [half for half in SIZES if half * PLACES_EACH <= np.unique(size).size]
-    tried = [smooth(r, z, half) for half in counts]
+    tried: list[Smoothed] = []
+    for half in counts:
+        tried.append(smooth(r, z, half))
+        if tolerance is not None and tried[-1].deviation <= tolerance:
+            break
     if tolerance is None:
         # Craven & Wahba (1979): the least mean square over (1 − parameters/places)².
         score = [each.deviation / (1 - half / r.size) for each, half in zip(tried, counts, strict=True)]
         tolerance = NOISE * tried[int(np.argmin(score))].deviation + ROUND_OFF * float(np.ptp(z))
-    near = [each.deviation <= tolerance for each in tried]
-    if not any(near):
+    best = next((number for number, each in enumerate(tried) if each.deviation <= tolerance), None)
+    if best is None:
         least = min(each.deviation for each in tried)
         raise InputError(
             f"profile_tolerance: no smoothing comes nearer than {least:.3g} m to the heights; expected a larger one, "
             f"got {tolerance:.3g} m"
         )
-    best = near.index(True)
     _check_rise(tried[best])
     return tried[best], tried[max(best - 1, 0)]
 
@@ -220,7 +223,10 @@ class Profile(IndenterPart):
         flat="profile_tolerance",
     )
     spline: str | None = given(
-        "The smoothed profile as files of results keep it; the CSV file is not read then", default=None, flat="profile_spline"
+        "The smoothed profile as files of results keep it; the CSV file is not read then",
+        default=None,
+        flat="profile_spline",
+        kept=True,
     )
 
     def checked(self, values: dict[str, Any]) -> dict[str, Any]:
