@@ -37,7 +37,6 @@ def test_viscosity_time_and_index_are_recovered(friction):
         found = fit(noisy(friction, seed), **RIG, **START, free=tuple(TRUE), compare=False)
         for name, each in found.estimates.items():
             held[name] += each.low <= TRUE[name] <= each.high
-    print(held)
     assert min(held.values()) >= 0.9 * RUNS, held
 
 
