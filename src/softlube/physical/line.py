@@ -13,6 +13,7 @@ from typing import Any
 
 from softlube.errors import InputError, warn
 from softlube.model.cylinders import Cylinder
+from softlube.model.dry_line import DryLine, dry_line
 from softlube.model.inputs import read
 from softlube.model.motions import FIXED_BALL, SteadyMotion
 from softlube.model.parts import resolve
@@ -29,7 +30,7 @@ from softlube.solvers.progress import Listener
 from softlube.steady.line.solution import LineSolution
 from softlube.steady.line.solve import DEFAULT_ACCURACY, solve, solve_problem
 
-__all__ = ["Cylinder", "LineContact", "LineSolution", "solve"]
+__all__ = ["Cylinder", "DryLine", "LineContact", "LineSolution", "dry_line", "solve"]
 
 
 @documented(SLIDING_LINE, LineLoading)
