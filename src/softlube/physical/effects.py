@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields
-from typing import TYPE_CHECKING
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -21,9 +21,8 @@ from softlube.model.substrates.half_space import HalfSpace
 from softlube.model.substrates.layer import LayerKernel
 from softlube.physical.materials import LARGEST_LAYER_EFFECT, dry_effect, effects_of, layer_doubt
 
-if TYPE_CHECKING:
-    from softlube.physical.contact import Contact
-
+Contact: TypeAlias = Any
+"""A `softlube.physical.contact.Contact`: its module asks this one."""
 WORDS = {"film_center": "film at the centre", "film_min": "minimum film", "friction_total": "friction"}
 """What is compared."""
 THINS = "the liquid thins with shear; compared with a constant viscosity of {viscosity} that changes: {effects}"
