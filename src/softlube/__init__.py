@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from softlube.physical.rig import Rig
     from softlube.physical.squeeze import History
     from softlube.readout import flow, free_boundary, friction
+    from softlube.steady.dry_sliding import DrySliding, dry_sliding
     from softlube.steady.solution import Solution
     from softlube.steady.solve import solve
     from softlube.sweeps import Sweep, sweep
@@ -63,6 +64,8 @@ __version__ = "0.3.0"
 # Names are imported when first used: the command line answers --help without NumPy.
 _NAMES = {
     "Contact": "physical.contact",
+    "DrySliding": "steady.dry_sliding",
+    "dry_sliding": "steady.dry_sliding",
     "Fit": "experiments.fit",
     "FlowCurve": "experiments.flow_curve",
     "History": "physical.squeeze",
@@ -117,6 +120,7 @@ __all__ = [
     "Cross",
     "Cylinder",
     "DowsonHigginson",
+    "DrySliding",
     "Eyring",
     "Fit",
     "FlowCurve",
@@ -155,6 +159,7 @@ __all__ = [
     "__version__",
     "curve",
     "dry",
+    "dry_sliding",
     "engineering",
     "fit",
     "fit_liquid",

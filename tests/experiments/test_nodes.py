@@ -19,7 +19,7 @@ from softlube.experiments.nodes import Node, at, content_key, solve_and_keep, so
 from softlube.files.cache import VARIABLE, Cache
 from softlube.model.liquids import BarusLaw
 from softlube.model.problem import Problem
-from softlube.model.substrates.layer import LayerKernel
+from softlube.model.substrates import LayerKernel, ViscoelasticKernel
 from softlube.steady.solve import solve_problem
 
 ROUGH = 0.03
@@ -162,3 +162,11 @@ def test_two_processes_share_a_cache(cache):
     printed = {process.communicate()[0] for process in both}
     assert len(printed) == 1
     assert all(process.returncode == 0 for process in both)
+
+
+def test_a_substrate_that_remembers_passes_as_fast_as_beta_says():
+    kernel = ViscoelasticKernel((0.5,), (3.0,))
+    problem = Problem(beta_load=100.0, substrate=kernel)
+    assert at(problem, 25.0).substrate.lengths == pytest.approx((12.0,))
+    assert at(at(problem, 7.0), 100.0).substrate.lengths == pytest.approx((3.0,))
+    assert at(Problem(beta=4.0), 2.0) == Problem(beta=2.0)

@@ -167,3 +167,26 @@ def test_two_plateaus_over_four_decades_of_speed():
         )
         for column in columns:
             assert np.all(sign * (table[column] - plateau[column]) > 0)
+
+
+@pytest.mark.parametrize("slide_to_roll", [2.0, 0.0])
+def test_a_substrate_that_remembers_passes_as_fast_as_the_contact(slide_to_roll):
+    """Each row is the contact solved at its speed, whose Deborah number is its own; the parts add."""
+    contact = softlube.Contact(
+        radius="2 mm",
+        young_modulus="3 MPa",
+        stiffening=2,
+        substrate_relaxation_time="0.1 s",
+        viscosity="2 Pa s",
+        load="100 mN",
+        entrainment_speed="1 mm/s",
+        slide_to_roll=slide_to_roll,
+    )
+    table = stribeck_curve(contact, slowest="1 mm/s", fastest="4 mm/s", points=3, accuracy=1e-2)
+    row = table.iloc[1]
+    motion = softlube.Rolling(row["entrainment_speed [m/s]"], slide_to_roll=slide_to_roll)
+    direct = softlube.Contact(**vars(contact) | {"motion": motion}).solve(accuracy=1e-2).dimensional
+    for name in ("viscous", "hysteresis"):
+        assert row[f"friction_{name} [N]"] == pytest.approx(direct[f"friction_{name}"], rel=1e-2)
+    assert row["friction [N]"] == pytest.approx(row["friction_viscous [N]"] + row["friction_hysteresis [N]"])
+    assert row["friction [N]"] == pytest.approx(direct["friction_total"], rel=1e-2)

@@ -127,11 +127,6 @@ class PolarGrid:
         """Spacing of ξ."""
         return float(self.xi_of(self.reach * self.edge)) / self.n_r
 
-    @property
-    def finest(self) -> float:
-        """Width of the cells at the contact edge."""
-        return float(self.dr_dxi(self.edge)) * self.d_xi
-
     @cached_property
     def xi(self) -> Array:
         """ξ at the nodes (cell centres, then RIM nodes beyond the rim), shape (n_r + RIM,)."""

@@ -54,10 +54,13 @@ class MemoryOperator:
     slope : sparse matrix, shape (n, n)
         ΣJᵢ {[(1 − Lᵢ∂ₓ)⁻¹ − 1]/Lᵢ − ∂ₓ/(1 + Lᵢ)}: from wₑ to the slope ∂w/∂x less a multiple of ∂wₑ/∂x, which no
         friction knows.  The multiple is such that little is left of a short memory and of a long one, as of their frictions.
+    compliance : ndarray, shape (n,)
+        About what the displacement of single nodes sees of the relaxed compliance, for preconditioning.
     """
 
     matrix: Sparse
     slope: Sparse
+    compliance: Array
 
 
 @lru_cache(maxsize=8)
@@ -97,7 +100,13 @@ def memory_operator(grid: PolarGrid, shares: tuple[float, ...], lengths: tuple[f
     matrix, slope = (Sparse(sparse.vstack(blocks[number::2])) for number in (0, 1))
     rest = 1 - float(np.sum(share))
     diagonal = sparse.eye_array(n)
-    return MemoryOperator(Sparse(matrix + rest * diagonal), Sparse(slope - float(np.sum(share / length)) * diagonal))
+    r, theta = (each.ravel() for each in np.meshgrid(grid.r, grid.theta, indexing="ij"))
+    spacing = _spacing(grid, r * np.cos(theta), r * np.sin(theta))
+    return MemoryOperator(
+        matrix=Sparse(matrix + rest * diagonal),
+        slope=Sparse(slope - float(np.sum(share / length)) * diagonal),
+        compliance=rest + np.sum(share / (1 + length / spacing[:, None]), axis=1),
+    )
 
 
 def operator_of(grid: PolarGrid, memory: Memory | None) -> MemoryOperator | None:
@@ -113,7 +122,10 @@ class _Lines:
     ----------
     y : ndarray, shape (rows,)
     x : ndarray, shape (rows, points)
-        Increasing from the node; the last one is repeated where a line has fewer points than others.
+        Increasing: a point behind the node, the node, and those ahead; the last one is repeated where a line has fewer points
+        than others.
+    behind : ndarray of int, shape (rows,)
+        1 where the point behind the node lies in the mesh; 0 where not, and the node takes its place.
     intervals : ndarray of int, shape (rows,)
         Number of intervals of each line, at least three; 0 for a node on the rim, which the line leaves at once.
     exit_angle : ndarray, shape (rows,)
@@ -122,6 +134,7 @@ class _Lines:
 
     y: Array
     x: Array
+    behind: Index
     intervals: Index
     exit_angle: Array
 
@@ -148,31 +161,35 @@ class _Lines:
         many = np.flatnonzero(intervals)
         last = intervals[many]
         x[many, last - 1] = (x[many, last - 2] + end[many]) / 2
-        return cls(y, x, intervals, np.arcsin(np.clip(y / rim, 0, 1)))
+        last = start - _spacing(grid, start, y)
+        behind = np.hypot(last, y) < rim
+        x = np.concatenate([np.where(behind, last, start)[:, None], x], axis=1)
+        return cls(y, x, behind.astype(np.intp), intervals, np.arcsin(np.clip(y / rim, 0, 1)))
 
     @property
     def gradient(self) -> Array:
         """Weights of the points in ∂wₑ/∂x at the node; none where a line leaves the mesh at once."""
         result = np.zeros_like(self.x)
         row = np.flatnonzero(self.intervals)
-        knots = self.x[row, :4] - self.x[row, :1]
+        column = 1 - self.behind[row, None] + CUBIC
+        knots = self.x[row[:, None], column] - self.x[row, 1:2]
         for node in CUBIC:
             others = np.delete(knots, node, axis=1).T
             pairs = others[0] * others[1] + others[0] * others[2] + others[1] * others[2]
-            result[row, node] = pairs / np.prod(knots[:, node] - others, axis=0)
+            result[row, column[:, node]] = pairs / np.prod(knots[:, node] - others, axis=0)
         return result
 
     def weights(self, length: float) -> tuple[Array, Array]:
         """Weights of the points in ∫ e^(−s) wₑ(x + Ls) ds up to the end of the line, and what is left of e^(−s) there."""
         n_rows, n_points = self.x.shape
         result = np.zeros((n_rows, n_points))
-        number = np.arange(n_points - 1)
-        own = number < self.intervals[:, None]
-        row, interval = np.nonzero(own & ((self.x[:, :-1] - self.x[:, :1]) < FORGOTTEN * length))
-        low, width = self.x[row, interval], self.x[row, interval + 1] - self.x[row, interval]
-        first = np.clip(interval - 1, 0, self.intervals[row] - 3)
+        origin, ahead = self.x[:, 1], self.x[:, 1:-1]
+        own = np.arange(ahead.shape[1]) < self.intervals[:, None]
+        row, interval = np.nonzero(own & ((ahead - origin[:, None]) < FORGOTTEN * length))
+        low, width = ahead[row, interval], self.x[row, interval + 2] - ahead[row, interval]
+        first = np.clip(interval, 1 - self.behind[row], self.intervals[row] - 2)
         knots = (self.x[row[:, None], first[:, None] + CUBIC] - low[:, None]) / width[:, None]
-        moments = _moments(width / length) * np.exp(-(low - self.x[row, 0]) / length)
+        moments = _moments(width / length) * np.exp(-(low - origin[row]) / length)
         place = row * n_points + first
         for node in CUBIC:
             others = np.delete(knots, node, axis=1).T
@@ -180,7 +197,7 @@ class _Lines:
             pairs = others[0] * others[1] + others[0] * others[2] + others[1] * others[2]
             terms = moments[3] - others.sum(axis=0) * moments[2] + pairs * moments[1] - np.prod(others, axis=0) * moments[0]
             result += np.bincount(place + node, terms / below, result.size).reshape(result.shape)
-        return result, np.exp(-(self.x[:, -1] - self.x[:, 0]) / length)
+        return result, np.exp(-(self.x[:, -1] - origin) / length)
 
 
 def _spacing(grid: PolarGrid, x: Array, y: Array) -> Array:

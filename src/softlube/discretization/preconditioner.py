@@ -96,7 +96,7 @@ class FilmBalance:
     """
 
     def __init__(self, differences: Differences, stiffness: Sparse) -> None:
-        self.stiffness, n = stiffness, stiffness.shape[0]
+        self.stiffness, n, self._node = stiffness, stiffness.shape[0], differences.node
         flux = np.flatnonzero(differences.node < n)
         spread = sparse.csc_array(-differences.divergence)
         every, place = _ragged(spread.indptr, differences.face[flux])  # each flux goes to some cells …
@@ -120,11 +120,12 @@ class FilmBalance:
         self.held = np.zeros(row.size)
         self.held[entry[n_by_pressure + cell.size :]] = stiffness.data
 
-    def stiffened(self, factor: float) -> FilmBalance:
-        """That of a substrate so many times as stiff."""
+    def stiffened(self, factor: Array) -> FilmBalance:
+        """That of a substrate so many times as stiff at each node."""
         other = copy(self)
-        other.stiffness, other.held = factor * self.stiffness, factor * self.held
-        other._sum = Sparse(self._sum @ sparse.diags_array(np.repeat([factor, 1.0], self._sum.shape[1] // 2)))
+        other.stiffness, other.held = Sparse(sparse.diags_array(factor) @ self.stiffness), factor[self.band.row] * self.held
+        of_pressures = np.append(factor, 1.0)[np.minimum(self._node, factor.size)]
+        other._sum = Sparse(self._sum @ sparse.diags_array(np.append(of_pressures, np.ones(self._node.size))))
         return other
 
     def entries(self, by_pressure: Array, by_film: Array) -> Array:

@@ -96,7 +96,7 @@ class ContactSystem:
         self.far_deflection = self.speed * displaced
         if self.memory is not None:
             displaced = displaced @ self.memory.matrix.T
-            self.balance = self.balance.stiffened(1 / self.substrate.compliance(grid.finest))
+            self.balance = self.balance.stiffened(1 / self.memory.compliance[: grid.n_unknown])
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.self_deflection = np.zeros(grid.shape[0] * grid.shape[1])
         self.self_deflection[:n] = 1 / np.abs(self.balance.stiffness.diagonal())

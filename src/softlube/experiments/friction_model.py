@@ -117,7 +117,13 @@ class Model:
 
     def problem(self, values: Mapping[str, float], load: float) -> Problem:
         """The dimensionless problem under a load [N]."""
-        return self.contact(values, load).problem()
+        problem = self.contact(values, load).problem()
+        if problem.substrate.memory is not None:
+            raise InputError(
+                "substrate: fit has no curves for one that remembers, which depend on its times over the viscosity; softlube "
+                "stribeck gives its friction for known times"
+            )
+        return problem
 
     def beta(self, values: Mapping[str, float], data: Measurements | None = None) -> Array:
         """β of Eq. (30), which goes with the load to the power 4/3 over the speed."""

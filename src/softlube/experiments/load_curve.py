@@ -140,13 +140,18 @@ class LoadCurve(FunctionOfBeta):
             Difference of the surface speeds over their mean; 2 without rolling, as in the paper.  Counts for nothing if the
             curve is not `linear`.
         """
-        (total, total_error), (sphere, sphere_error) = (self._at(name, beta_load) for name in ("total", "sphere"))
+        by_liquid = "viscous" if "viscous" in self.functions else "total"
+        (total, total_error), (sphere, sphere_error) = (self._at(name, beta_load) for name in (by_liquid, "sphere"))
         sliding = np.asarray(slide_to_roll if self.linear else FIXED_BALL, dtype=float) / 4
         # C S/2 ∓ P from C − P and C + P.
         rolling = {"total": 0.5, "sphere": -0.5, "couette": 0.0}[force]
         of_total, of_sphere = sliding + rolling, sliding - rolling
         error = np.abs(of_total) * total_error + np.abs(of_sphere) * sphere_error
-        return of_total * total + of_sphere * sphere, error
+        value = of_total * total + of_sphere * sphere
+        if by_liquid == "viscous" and force == "total":
+            whole, whole_error = self._at("total", beta_load)
+            value, error = value + (whole - total), error + whole_error + total_error
+        return value, error
 
 
 def check_friction(force: str, region: str | float) -> None:
@@ -259,6 +264,8 @@ def _computed(
     def read(node: Node) -> Numbers:
         return {name: node.quantities[name] for name in FILMS} | node.friction(radius)
 
+    if problem.substrate.memory is not None:
+        names = [*names, "viscous"]
     functions = computing.curves(problem, low, high, names, read, rows)
     ends = [(float(each.beta[0]), float(each.beta[-1])) for each in functions.values()]
     low, high = max(first for first, _ in ends), min(last for _, last in ends)

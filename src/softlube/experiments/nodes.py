@@ -84,9 +84,12 @@ class Node:
         """Friction over r ≤ `region` radii of the dry contact, whole and on the sphere alone, with errors.
 
         Both are for sliding without rolling: "total" is the Couette less the Poiseuille part, "sphere" their sum.  Over
-        `DOMAIN` they are the quantities of the solution; over other discs their errors are relatively as large.
+        `DOMAIN` they are the quantities of the solution; over other discs their errors are relatively as large.  If the
+        substrate remembers, the total has what the substrate makes, too, and is "viscous" without it.
         """
         known = {"total": self.quantities["friction_total"], "sphere": self.quantities["friction_domain"]}
+        if "friction_viscous" in self.quantities:
+            known["viscous"] = self.quantities["friction_viscous"]
         if region == DOMAIN:
             return known
         if region > self.radii[-1]:
@@ -95,13 +98,22 @@ class Node:
         couette, poiseuille = (float(each) for each in spline(region))
         missed, place = self.spike
         couette += missed if region > place else 0.0
-        found = {"total": couette - poiseuille, "sphere": couette + poiseuille}
+        by_substrate = self.quantities.get("friction_hysteresis", (0.0, 0.0))[0]
+        found = {"total": couette - poiseuille + by_substrate, "sphere": couette + poiseuille}
+        if "viscous" in known:
+            found["viscous"] = couette - poiseuille
         return {name: (value, abs(value / known[name][0]) * known[name][1]) for name, value in found.items()}
 
 
 def at(problem: Problem, beta: float) -> Problem:
-    """A problem with another β, or β_load where the load is prescribed."""
-    return replace(problem, beta_load=beta) if problem.load_controlled else replace(problem, beta=beta)
+    """A problem at another speed, with the β, or β_load where the load is prescribed, that goes with it.
+
+    So fast passes what the substrate remembers, too: its lengths go like 1/β.
+    """
+    substrate = problem.substrate.hastened(problem.parameter / beta)
+    if problem.load_controlled:
+        return replace(problem, beta_load=beta, substrate=substrate)
+    return replace(problem, beta=beta, substrate=substrate)
 
 
 def content_key(problem: Problem, accuracy: float) -> str:

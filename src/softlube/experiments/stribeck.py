@@ -235,6 +235,10 @@ def _rows(
         "friction_coefficient": friction / load,
         "friction_coefficient_error": error / load,
     }
+    if "viscous" in curve.functions and force == "total":
+        whole, viscous = (curve.functions[name](betas)[0] * scales["friction"][0] for name in ("total", "viscous"))
+        data["friction_hysteresis [N]"] = whole - viscous
+        data["friction_viscous [N]"] = friction - (whole - viscous)
     for name in FILMS:
         film, error = (scales["height"][0] * each for each in curve.film(name, betas))
         data[header(name, "m")] = film

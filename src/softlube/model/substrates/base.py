@@ -78,6 +78,10 @@ class Substrate(Protocol):
         """What it remembers, if anything."""
         ...
 
+    def hastened(self, factor: float) -> Substrate:
+        """The same substrate passing so many times as fast."""
+        ...
+
     def compliance(self, radius: float) -> float:
         """About what a contact of some radius sees of its relaxed compliance."""
         ...
@@ -100,6 +104,10 @@ class Kernel:
     def memory(self) -> Memory | None:
         """None."""
         return None
+
+    def hastened(self, factor: float) -> Any:
+        """Itself, however fast it passes."""
+        return self
 
     def compliance(self, radius: float) -> float:
         """1: no other than the relaxed one."""
