@@ -6,6 +6,7 @@ from numpy.polynomial.legendre import leggauss
 
 import softlube
 from softlube import flow
+from softlube.model.liquids import LimitingStressLaw, NewtonianLaw
 from softlube.readout.free_boundary import is_wet
 
 
@@ -175,3 +176,15 @@ def test_bad_input_is_refused(solution):
         flow.velocity(solution, 1.0, 0.0)
     with pytest.raises(softlube.InputError, match="frame: expected 'substrate' or 'sphere', got 'earth'"):
         flow.mean_velocity(solution, 1.0, 0.0, frame="earth")
+
+
+def test_a_limited_liquid_that_rolls_has_its_walls_and_its_stress():
+    """The flux knows no limit; the walls move at the slide-to-roll ratio, and the mean stress is the limited one."""
+    law = LimitingStressLaw(NewtonianLaw(), 0.02, 0.0)
+    rolling = softlube.solve(beta=300, liquid=law, slide_to_roll=0.5, accuracy=0.01)
+    sphere, substrate = (flow.velocity(rolling, R, 0.0, level=level, frame="sphere")[0] for level in (1.0, 0.0))
+    assert sphere == pytest.approx(-0.375)
+    assert substrate == pytest.approx(-0.625)
+    mean = (flow.shear_stress(rolling, R, THETA, level=1.0)[0] + flow.shear_stress(rolling, R, THETA, level=0.0)[0]) / 2
+    sheared = 0.25 / rolling.fields.film_at(R, THETA)
+    assert mean == pytest.approx(300 * 0.02 * (1 - np.exp(-sheared / 300 / 0.02)))

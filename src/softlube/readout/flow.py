@@ -137,7 +137,8 @@ def velocity(
         return _polar(np.where(low, below[0] + substrate, above[0] + sphere), np.where(low, below[1], above[1]), theta)
     q_r, q_t = driving_gradient(solution, r, theta)
     parabola = -3 * solution.fields.beta * solution.fields.film_at(r, theta) ** 2 * zeta * rest
-    couette = zeta if frame == "substrate" else -rest
+    substrate, sphere = _walls(solution, frame)
+    couette = substrate * rest + sphere * zeta
     return parabola * q_r + couette * np.cos(theta), parabola * q_t - couette * np.sin(theta)
 
 
@@ -149,7 +150,7 @@ def mean_velocity(solution: Solution, r: ArrayLike, theta: ArrayLike, *, frame: 
         return _polar(pushed_x + sum(_walls(solution, frame)) / 2, pushed_y, theta)
     q_r, q_t = driving_gradient(solution, r, theta)
     mobility = -solution.fields.beta / 2 * solution.fields.film_at(r, theta) ** 2
-    couette = 0.5 if frame == "substrate" else -0.5
+    couette = sum(_walls(solution, frame)) / 2
     return mobility * q_r + couette * np.cos(theta), mobility * q_t - couette * np.sin(theta)
 
 
@@ -168,7 +169,8 @@ def shear_stress(
     film = solution.fields.film_at(r, theta)
     slope = 3 * solution.fields.beta * film * (zeta - rest)
     cosine, sine = np.cos(theta), np.sin(theta)
-    couette = viscosity_at_rest(solution, r, theta) / film
+    fields = solution.fields
+    couette = fields.beta * fields.drag_under(fields.pressure_at(r, theta), film)
     return slope * (cosine * p_r - sine * p_t) + couette, slope * (sine * p_r + cosine * p_t)
 
 
