@@ -178,7 +178,7 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
     depth = float(of_bowl / of_flat)
     phi = depth * flat - bowl
 
-    own_slope = indenter.depth_slope if indenter == PARABOLOID else _tabulated(indenter.depth_slope, (0.0, *corners, radius))
+    own_slope = indenter.depth_slope if indenter == PARABOLOID else _Tabulated(indenter.depth_slope, (0.0, *corners, radius))
     smooth: Callable[[Array], Any] = np.zeros_like
     if k.size:
         from scipy.interpolate import CubicSpline  # slow to import, and half-spaces do without
@@ -188,10 +188,7 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
         values[-1] = -(depth - own) / np.pi**2
         smooth = CubicSpline(s, values, bc_type=EVEN).derivative()
 
-    def slope(s: Array) -> Array:
-        """φ′(s): the shape's part, and a smooth one by the substrate."""
-        return stiffness * (smooth(s) - own_slope(s) / np.pi**2)
-
+    slope = _Slope(stiffness, smooth, own_slope)
     # φ′(a) from the derivative of the equation; −2a/π² for Hertz.
     shape_rise = rise / (2 * radius)
     edge = shape_rise - np.pi / radius * float(np.sin(radius * k) @ (k * defect * (waves.T @ (weight * phi))))
@@ -200,21 +197,34 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
     return DryContact(radius, depth, load, edge, slope, shape_rise, exponent, corners, stiffness)
 
 
-def _tabulated(function: Callable[[Array], Array], edges: tuple[float, ...]) -> Callable[[Array], Array]:
+@dataclass(frozen=True)
+class _Slope:
+    """φ′(s) of `DryContact`: the shape's part, and a smooth one by the substrate; travels between processes."""
+
+    stiffness: float
+    smooth: Callable[[Array], Any]
+    own: Callable[[Array], Array]
+
+    def __call__(self, s: Array) -> Array:
+        return self.stiffness * (self.smooth(s) - self.own(s) / np.pi**2)
+
+
+class _Tabulated:
     """A function that is dear to evaluate, by a cubic spline on each of some pieces; it may begin there like a root."""
-    from scipy.interpolate import CubicSpline
 
-    u = np.linspace(0, 1, TABLE)
-    splines = [CubicSpline(u, function(low + (high - low) * u**2)) for low, high in pairwise(edges)]
+    def __init__(self, function: Callable[[Array], Array], edges: tuple[float, ...]) -> None:
+        from scipy.interpolate import CubicSpline
 
-    def value(x: Array) -> Array:
+        u = np.linspace(0, 1, TABLE)
+        self._edges = edges
+        self._splines = [CubicSpline(u, function(low + (high - low) * u**2)) for low, high in pairwise(edges)]
+
+    def __call__(self, x: Array) -> Array:
         found = np.zeros(np.shape(x))
-        piece = np.clip(np.searchsorted(edges, x, side="right") - 1, 0, len(splines) - 1)
-        for k, (spline, (low, high)) in enumerate(zip(splines, pairwise(edges), strict=True)):
+        piece = np.clip(np.searchsorted(self._edges, x, side="right") - 1, 0, len(self._splines) - 1)
+        for k, (spline, (low, high)) in enumerate(zip(self._splines, pairwise(self._edges), strict=True)):
             found[piece == k] = spline(np.sqrt(np.maximum(np.asarray(x)[piece == k] - low, 0) / (high - low)))
         return found
-
-    return value
 
 
 def _pieces(points: int, edges: tuple[float, ...]) -> tuple[Array, Array]:
