@@ -189,7 +189,7 @@ def followed(
         if found is None:
             step = (there - here) / 2
             if step < SHORTEST_STEP * first:
-                advice = "" if stage.problem.liquid == problem.liquid else SPIKE
+                advice = SPIKE if spike else ""
                 raise NotConvergedError(f"the continuation ended at beta_load = {stage.problem.parameter:.4g}{advice}")
             continue
         stage, here = found, there
