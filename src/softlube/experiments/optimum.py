@@ -22,6 +22,8 @@ BEYOND = 3.0
 """Factor of β by which rows may lie above what could be solved: the curve is all but straight there, in logarithms."""
 ROUNDS = 6
 """Times that the curve is widened to where the fit has led."""
+CENTRED = 2
+"""First rounds in which curves are solved again around what has been found; parameters that are told together only lead on."""
 
 
 class Parametric(Protocol):
@@ -153,7 +155,7 @@ def solve_model(
         low, high, beta = model.family.low, BEYOND * model.family.high, model.beta(values)
         inside = low <= beta.min() and beta.max() <= (high if not remaining else model.family.high)
         if inside and model.holds_for(values):
-            if not (remaining and model.off_centre(optimum.x)):
+            if not (remaining >= ROUNDS - CENTRED and model.off_centre(optimum.x)):
                 return model, optimum
             model = replace(model, family=None)
         if not remaining and inside:
