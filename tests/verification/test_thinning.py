@@ -57,6 +57,13 @@ def test_the_film_depends_on_the_sliding():
     assert back == pytest.approx(sliding, rel=1e-6)  # the law does not know which wall is the faster
 
 
+def test_a_load_far_outside_is_told():
+    with pytest.warns(softlube.ValidityWarning, match="of the load is borne beyond the mesh"):
+        solution = softlube.solve(beta=30, liquid=OstwaldLaw(REST, 1 / 30, 0.5), accuracy=0.01)
+    assert solution.load.error > 0.05 * solution.load
+    assert solution.load_contact.error < 0.01 * solution.load_contact
+
+
 def test_order_of_accuracy_without_cavitation():
     law = CarreauYasudaLaw(REST, 10.0, 0.5, 0.01)
     problem = Problem(beta=30.0, cavitation="none", liquid=law, slide_to_roll=1.0)
@@ -74,6 +81,7 @@ def test_order_of_accuracy_without_cavitation():
 
 
 @pytest.mark.slow
+@pytest.mark.filterwarnings("ignore::softlube.ValidityWarning")  # of loads beyond the mesh, at the finest accuracy
 def test_quoted_errors_hold():
     """60 random Carreau contacts against the finest accuracy that is reached: at least 95 % of the errors hold."""
     rng, held, counted = np.random.default_rng(21), 0, 0

@@ -36,10 +36,10 @@ REFINED_ANGLES = 39
 LARGEST_PASSED_OVER = 3000
 """Unknowns of a grid without a solution beyond which finer ones are not tried: each would take minutes to have none either."""
 FAR_LOAD = (
-    "{share:.2g} of the load would be borne beyond the mesh because the viscosity rises without end where the liquid is hardly "
-    "sheared; give it a viscosity at rest, or count the load within the contact"
+    "{share:.2g} of the load is borne beyond the mesh because the viscosity rises there, where the liquid is hardly sheared; "
+    "under a power law that depends on where the liquid ends, and the load within the contact does not"
 )
-"""What is said of a power-law liquid whose far field bears a load."""
+"""What is said of a liquid that thins whose far field bears a load."""
 LARGEST_ACCURACY = 0.1
 """Largest relative error that can be asked for."""
 
