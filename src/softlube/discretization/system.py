@@ -146,9 +146,12 @@ class ContactSystem:
         """Slope of the surface by what it remembers, shape of the grid; see `softlube.discretization.fields.Fields`."""
         if self.memory is None:
             return None
-        far = self.far_deflection[0] + self.height(x) * self.far_deflection[1]
-        elastic = self.elastic.deflection(x[: self.grid.n_unknown]) + far
+        elastic = self.elastic_deflection(x[: self.grid.n_unknown], self.height(x))
         return -(self.memory.slope @ elastic).reshape(self.grid.shape)
+
+    def elastic_deflection(self, pressure: Array, height: float) -> Array:
+        """Displacement of the relaxed surface, sign reversed, at all nodes under nodal pressures and the far field."""
+        return self.elastic.deflection(pressure) + self.far_deflection[0] + height * self.far_deflection[1]
 
     def film(self, x: Array) -> Array:
         """Film thickness on all nodes, Eq. (6c), shape (n,)."""
