@@ -103,6 +103,9 @@ def texts(draw):
     gap = draw(SPACE)
     if spelling[0] == "1" and not gap:
         gap = " "
+    if not number and spelling[0] == "1":  # "1/GPa" has its number
+        number, value, clear = "1", Fraction(1), True
+        spelling = spelling[1:]
     if not clear or kind != wanted:
         return number + gap + spelling, wanted, None
     return number + gap + spelling, wanted, value * Fraction(factor)
