@@ -69,7 +69,8 @@ class LineContact(Described):
     >>> contact = LineContact(radius="10 mm", young_modulus="3 MPa", viscosity="1 Pa s", speed="10 mm/s",
     ...                       load_per_length="1 N/mm")
     >>> solution = contact.solve()
-    >>> round(solution.dimensional["film_center"] * 1e6, 4)  # um
+    >>> print(f"{solution.dimensional['film_center']:.3e} m")
+    4.419e-06 m
     """
 
     indenter: Cylinder  # type: ignore[bad-override]

@@ -79,8 +79,9 @@ def creep_of(relaxed: float, terms: Iterable[tuple[float, float]]) -> Creep:
 
     Examples
     --------
-    >>> creep_of(1.0, [(9.0, 1.0)])
-    Creep(instantaneous=0.1, terms=(Term(weight=0.9, time=10.0),))
+    >>> creep = creep_of(1.0, [(9.0, 1.0)])
+    >>> print(creep.instantaneous, *(f"{each.weight:.9g} in {each.time:.9g} s" for each in creep.terms))
+    0.1 0.9 in 10 s
     """
     merged: dict[float, float] = {}
     for modulus, duration in terms:
