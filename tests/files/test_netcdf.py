@@ -194,3 +194,14 @@ def test_a_liquid_that_depends_on_the_sliding_comes_back(tmp_path, law):
     assert again.quantities == solution.quantities
     assert again.dimensional == solution.dimensional
     assert ("shear_rate_mean" in again.dimensional) == ("index" in law)
+
+
+def test_a_substrate_that_remembers_comes_back(tmp_path):
+    rubber = softlube.Viscoelastic("3 MPa", prony=[("9 MPa", "1 ms")])
+    ball = {"radius": "2 mm", "viscosity": "1 Pa s", "speed": "10 mm/s", "load": "100 mN"}
+    solution = softlube.Contact(substrate=rubber, **ball).solve(accuracy=0.03)
+    solution.save(tmp_path / "a.nc")
+    again = softlube.load(tmp_path / "a.nc")
+    assert (again.quantities, again.other_quantities) == (solution.quantities, solution.other_quantities)
+    assert np.array_equal(again.fields.recovery, solution.fields.recovery)
+    assert softlube.friction.total_within(again, 1.5) == pytest.approx(softlube.friction.total_within(solution, 1.5), rel=1e-13)

@@ -63,7 +63,8 @@ def to_dataset(solution: Solution) -> xr.Dataset:
     fields = solution.fields
     displacement = (fields.height + solution.problem.indenter.height(fields.r[:, None])) - fields.film
     values = {"pressure": fields.pressure, "film": fields.film, "displacement": displacement}
-    data: dict[str, xr.DataArray] = {name: xr.DataArray(values[name], dims=PLANE, attrs=about(name)) for name in values}
+    planes = values if fields.recovery is None else values | {"recovery": fields.recovery}
+    data: dict[str, xr.DataArray] = {name: xr.DataArray(each, dims=PLANE, attrs=about(name)) for name, each in planes.items()}
     own, other = ("load", "indentation") if solution.problem.load_controlled else ("indentation", "load")
     families = ((solution.quantities, ""), (solution.other_quantities, OTHER_SUFFIX), (solution.dimensional, SI_SUFFIX))
     for quantities, suffix in families:
@@ -150,8 +151,11 @@ def _solution(content: Content) -> Solution:
     if "height" not in attributes:
         raise Damaged("was written by an earlier version of softlube; solve and save it again")
     schema = schema_of(attributes)
-    check(content, SCHEMA)
-    fields = {name: content.variables[name].values for name, rule in SCHEMA.items() if rule.axes}
+    # Development versions of 0.2.0 said "fluid" for "liquid".
+    problem = _read("problem", lambda: Problem.from_plain(json.loads(attributes["problem"].replace('"fluid"', '"liquid"'))))
+    arrays = SCHEMA if problem.substrate.memory is None else SCHEMA | {"recovery": Rule(PLANE)}
+    check(content, arrays)
+    fields = {name: content.variables[name].values for name, rule in arrays.items() if rule.axes}
     families: dict[str, dict[str, Quantity]] = {"": {}, OTHER_SUFFIX: {}, SI_SUFFIX: {}}
     for name, found in content.variables.items():
         suffix = next((each for each in (SI_SUFFIX, OTHER_SUFFIX) if name.endswith(each)), "")
@@ -161,8 +165,6 @@ def _solution(content: Content) -> Solution:
             if error is None and schema > 1:
                 raise Damaged(f"{base}{ERROR}{suffix}: missing")
             families[suffix][base] = _read(name, lambda found=found, error=error: _quantity(found, error))
-    # Development versions of 0.2.0 said "fluid" for "liquid".
-    problem = _read("problem", lambda: Problem.from_plain(json.loads(attributes["problem"].replace('"fluid"', '"liquid"'))))
     grid, method = str(attributes["grid"]), str(attributes.get("method"))
     solution = Solution(
         problem=problem,
@@ -179,6 +181,7 @@ def _solution(content: Content) -> Solution:
             liquid=problem.liquid,
             indenter=problem.indenter,
             slide_to_roll=problem.slide_to_roll,
+            recovery=fields.get("recovery"),
         ),
         quantities=families[""],
         beta=_number(attributes, "beta"),

@@ -329,6 +329,7 @@ FIELDS = _table(
     Definition("pressure", "pressure", "p", "pressure", "6"),
     Definition("film", "film thickness", "u", "height", "6"),
     Definition("displacement", "surface displacement, the sum of both bodies'", "w", "height", "6"),
+    Definition("recovery", "slope along x that a substrate owes to its memory, over √(unit of height/R)", "w'", "number"),
     Definition("r", "distance from the axis", "r", "length"),
     Definition("x", "distance from the axis towards the inlet", "x", "length"),
     Definition("y", "distance from the axis across the sliding", "y", "length"),
