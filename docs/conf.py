@@ -47,6 +47,9 @@ autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
 # File names of classes that differ from a function's in the case only, which some file systems do not tell apart.
 autosummary_filename_map = {f"softlube.{name}": f"softlube.{name}-class" for name in ("Fit", "Slide", "Squeeze", "Sweep")}
+# Public classes have pages of their own, and the pages of modules leave them out.
+described = sorted(name for name in softlube.__all__ if isinstance(getattr(softlube, name), type))
+autosummary_context = {"described": ", ".join(described)}
 
 # The calculator is a page by itself, beside the others.
 (HERE / "_extra").mkdir(exist_ok=True)
