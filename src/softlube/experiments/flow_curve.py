@@ -225,6 +225,11 @@ class FlowModel:
             "transition": TRANSITIONS,
         }
 
+    @property
+    def limited(self) -> bool:
+        """False: the bounds are far beyond the data."""
+        return False
+
     def bounds(self) -> tuple[Array, Array]:
         """Least and greatest vector, see `values`."""
         low, high = np.log([self.ranges[name] for name in self.free]).T

@@ -140,6 +140,8 @@ class Model:
         """Whether the liquid's shear stress is in proportion to the shear rate."""
         return self.problem(self.first_guess(), 1.0).liquid.linear
 
+    limited = property(lambda self: not self.linear, doc="Whether bounds are where curves end: of liquids that thin.")
+
     @property
     def _weak(self) -> tuple[str, ...]:
         """Parameters that do not change the normalised layer or liquid, or so weakly that curves are solved again for it."""
@@ -151,9 +153,7 @@ class Model:
         return tuple(name for name in self.free if name not in self._weak)
 
     def bounds(self) -> tuple[Array, Array]:
-        """Least and greatest vector that the curves reach, see `values`; infinite for what the normalised layer and liquid do
-        not depend on.
-        """
+        """Least and greatest vector that the curves reach; infinite where layer and liquid do not depend on a parameter."""
         ends = np.array([[-math.inf, math.inf]] * len(self.free))
         windows = dict(zip(self.varied, self.family.numbers, strict=True)) if self.family else {}
         for k, name in enumerate(self.free):
@@ -204,15 +204,15 @@ class Model:
             return 1.0, {}
         factor, apart = moved(numbers_of(self.problem(now, 1.0)), self._numbers, self._powers)
         if factor is None:
-            changed = [name for name in now if now[name] != self.start[name]]
+            changed = " and ".join(name for name in now if now[name] != self.start[name])
             raise InputError(
-                f"free: {' and '.join(changed)} change the layer and the liquid each in its own way, and curves for both "
+                f"free: {changed} change the layer and the liquid each in its own way, and curves for both "
                 "changes are too many; hold one of them, or compare fits with several values of it"
             )
         return factor, apart
 
     def acts_like_load(self, values: Mapping[str, float]) -> float:
-        """Factor of the load that does to the normalised layer and liquid what the parameters do, see `moved`."""
+        """Factor of the load, see `moved`."""
         return self.moved(values)[0]
 
     def numbers(self, values: Mapping[str, float]) -> tuple[float, ...]:

@@ -27,6 +27,8 @@ ROUNDING = 1e-12
 """Residual that is no more than rounding."""
 WIDEST_STEP = 0.5
 """Standard deviation, in logarithm, from which the search for an interval's end starts at most."""
+EDGE = 1e-3
+"""Distance, in logarithm, from where the curves end within which a parameter counts as held back by them."""
 FARTHEST = 7.0
 """Distance in logarithm, a factor of 1000, up to which the end of an interval is looked for."""
 
@@ -73,13 +75,17 @@ def profile(model: Parametric, optimum: Optimum, name: str, confidence: float, p
     level = least * (1 + stats.t.ppf((1 + confidence) / 2, freedom) ** 2 / freedom)
     others = tuple(n for n in model.free if n != name)
     last = dict(model.values(best))
+    held_back = False
 
     def excess(x: float) -> float:
         """S(θ) over the level, in logarithm."""
+        nonlocal held_back
         held = dict(model.fixed) | {name: _value(model, best, k, x)}
         if others:
-            found = optimise(replace(model, fixed=held, free=others), last | held)
-            last.update(replace(model, fixed=held, free=others).values(found.x))
+            rest = replace(model, fixed=held, free=others)
+            found = optimise(rest, last | held)
+            last.update(rest.values(found.x))
+            held_back = model.limited and bool(np.any(np.isclose(found.x, rest.bounds(), rtol=0, atol=EDGE)))
             total = found.sum_of_squares
         else:
             residuals = model.residuals(held)
@@ -101,6 +107,10 @@ def profile(model: Parametric, optimum: Optimum, name: str, confidence: float, p
             try:
                 if excess(outside) > 0:
                     end = float(brentq(excess, inside, outside, xtol=1e-4 * deviation + 1e-12))
+                    excess(end)
+                    if held_back:  # the curves end there, not the parameters that describe the data
+                        end = None
+                        break
             except NotConvergedError:
                 break
             inside, step = outside, 1.6 * step

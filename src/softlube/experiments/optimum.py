@@ -62,6 +62,11 @@ class Parametric(Protocol):
         """Least and greatest vector."""
         ...
 
+    @property
+    def limited(self) -> bool:
+        """Whether the bounds are where curves end, and not where no parameter can be."""
+        ...
+
 
 @dataclass(frozen=True)
 class Optimum:
