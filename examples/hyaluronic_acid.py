@@ -6,9 +6,9 @@ said.
 
 Hyaluronic acid makes the fluid of joints viscous, and is injected where that fails. Bonnevie, Galesso, Secchieri & Bonassar
 (PLOS ONE 14, e0216702, 2019) measured six such products: all thin with shear by the law of Carreau and Yasuda, their
-viscosities at rest differ by a factor of more than 100, and their friction does not go with those, but with a viscosity under
-shear. The flow curve here is **synthetic**, within that range: 1 Pa s at rest, with 3 % of scatter. The rig is that of Wu
-et al. (Soft Matter, 2020): a glass ball of 2 mm on PDMS of 3 MPa.
+viscosities at rest differ by a factor of more than 100, and their friction tells more of how well they help than those do.
+The flow curve here is **synthetic**, within that range: 1 Pa s at rest, with 3 % of scatter. The rig is that of Wu et al.
+(Soft Matter, 2020): a glass ball of 2 mm on PDMS of 3 MPa.
 """
 
 import math
