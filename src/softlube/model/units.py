@@ -94,7 +94,7 @@ THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
 """A number whose comma may be a decimal sign or part thousands."""
 
 _DASHES = str.maketrans("−–‐‑", "----")
-_NUMBER = re.compile(r"([+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+))(?:[eE]([+-]?[0-9]{1,3}))?")
+_NUMBER = re.compile(r"([+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+))(?:[eE]([+-]?[0-9]{1,3})(?![0-9]))?")
 _SUPERSCRIPTS = str.maketrans("⁻¹²³⁴", "-1234")
 _POWER = r"(?:\^|\*\*)?-?[1-9]|(?:\^|\*\*)\(-?[1-9]\)|⁻?[¹²³⁴]"
 _NAME = r"[^\W\d_⁰¹²³⁴-⁹½¼¾⅓⅔]+|[%‰°'\"]"
