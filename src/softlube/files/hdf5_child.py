@@ -1,7 +1,7 @@
 """The process that opens HDF5 files for `softlube.files.hdf5`: run as a script, it needs h5py and nothing of softlube.
 
 On a damaged file the HDF5 library may loop for ever, ask for all memory or end its process with a fault; here that costs a
-child process, which gives itself a second of processor time for each file, and memory in proportion to the file.
+child process, which gives itself half a second of processor time for each file, and memory in proportion to the file.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from typing import Any, BinaryIO
 
-SECONDS = 1.0
+SECONDS = 0.5
 """Processor time that a file may take; sound ones of some MB take hundredths of that."""
 PATIENCE = 60.0
 """Time on the clock that a file may take, for a library that waits instead of working."""
