@@ -13,7 +13,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from softlube.model.indenters.base import Curved, IndenterPart, Shape, from_plain, to_plain
+from softlube.model.indenters.base import Curved, IndenterPart, Shape
+from softlube.model.named import to_plain
 from softlube.model.parts import members
 
 if TYPE_CHECKING:
@@ -42,4 +43,5 @@ __all__ = [
     "to_plain",
 ]
 
+from_plain = Shape.from_plain
 globals().update(members(__name__, __path__, (Shape, IndenterPart)))

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 from softlube.errors import InputError
 from softlube.model.inputs import NUMBER, PRESSURE, Declaring, given
 from softlube.model.lazy import numpy as np
+from softlube.model.named import Named
 from softlube.model.parts import Part
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ POINTS = 40
 """Points of Gauss's quadrature between two corners in the transform of a shape; round-off for the shapes of this folder."""
 
 
-class Shape:
+class Shape(Named):
     """The height f(r) of an indenter's surface over its lowest point, f(0) = 0; files know it by its `kind`.
 
     The dry contact needs Galin's and Sneddon's transform of it, g(x) = x ∫₀ˣ f′(r)/√(x² − r²) dr: on a half-space the depth of
@@ -29,13 +30,9 @@ class Shape:
     """
 
     kinds: ClassVar[dict[str, type[Any]]] = {}
-    """Every shape by its name in files."""
-    kind: ClassVar[str]
+    usual: ClassVar[str] = "paraboloid"
+    unknown: ClassVar[str] = "indenter: no"
     words: ClassVar[str] = "a rigid indenter"
-
-    def __init_subclass__(cls) -> None:
-        if "kind" in vars(cls):  # not yet where a worker of a sweep puts a class together
-            Shape.kinds[cls.kind] = cls
 
     @property
     def corners(self) -> tuple[float, ...]:
@@ -241,23 +238,3 @@ class IndenterPart(Part):
     def shape(self, unit: float, share: float) -> Shape:
         """The shape, see `Curved` for the parameters."""
         raise NotImplementedError
-
-
-def to_plain(shape: Shape) -> dict[str, Any]:
-    """A shape in plain values, for files."""
-    return {"kind": shape.kind} | asdict(shape)  # type: ignore[call-overload]
-
-
-def from_plain(values: dict[str, Any] | None) -> Shape:
-    """Inverse of `to_plain`; the paraboloid where nothing was written.
-
-    Raises
-    ------
-    InputError
-        If no shape has the name that is written.
-    """
-    written = dict(values or {"kind": "paraboloid"})
-    kind = written.pop("kind")
-    if kind not in Shape.kinds:
-        raise InputError(f"indenter: no {kind!r} is known; expected {' or '.join(map(repr, sorted(Shape.kinds)))}")
-    return Shape.kinds[kind](**written)

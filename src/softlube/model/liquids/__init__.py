@@ -17,7 +17,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from softlube.model.liquids.base import DensityPart, Law, Liquid, LiquidPart, Lubricant, Thickening, from_plain, to_plain
+from softlube.model.liquids.base import DensityPart, Law, Liquid, LiquidPart, Lubricant, Thickening
+from softlube.model.named import to_plain
 from softlube.model.parts import members
 
 if TYPE_CHECKING:
@@ -61,4 +62,5 @@ __all__ = [
     "to_plain",
 ]
 
+from_plain = Law.from_plain
 globals().update(members(__name__, __path__, (Law, Lubricant, DensityPart)))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeAlias
 from softlube.errors import InputError
 from softlube.model.inputs import DENSITY, INVERSE_PRESSURE, VISCOSITY, given
 from softlube.model.lazy import numpy as np
+from softlube.model.named import Named
 from softlube.model.parts import Part
 
 if TYPE_CHECKING:
@@ -76,16 +77,12 @@ class Liquid(Protocol):
         ...
 
 
-class Law:
+class Law(Named):
     """A law that files know by its `kind`, of a liquid whose density is constant unless the law says otherwise."""
 
     kinds: ClassVar[dict[str, type[Any]]] = {}
-    """Every law by its name in files."""
-    kind: ClassVar[str]
-
-    def __init_subclass__(cls) -> None:
-        if "kind" in vars(cls):  # not yet where a worker of a sweep puts a class together
-            Law.kinds[cls.kind] = cls
+    usual: ClassVar[str] = "newtonian"
+    unknown: ClassVar[str] = "liquid: no law"
 
     @property
     def linear(self) -> bool:
@@ -243,25 +240,3 @@ def check_positive_number(name: str, value: float) -> None:
     """Refuse a parameter of a law that is not positive and finite."""
     if not (math.isfinite(value) and value > 0):
         raise InputError(f"{name}: expected a positive, finite number, got {value!r}")
-
-
-def to_plain(liquid: Liquid) -> dict[str, Any]:
-    """A liquid in plain values, for files."""
-    return {"kind": liquid.kind} | {
-        name: to_plain(value) if hasattr(value, "kind") else value for name, value in vars(liquid).items()
-    }
-
-
-def from_plain(values: dict[str, Any] | None) -> Liquid:
-    """Inverse of `to_plain`; constant viscosity where nothing was written.
-
-    Raises
-    ------
-    InputError
-        If no law has the name that is written.
-    """
-    written = dict(values or {"kind": "newtonian"})
-    kind = written.pop("kind")
-    if kind not in Law.kinds:
-        raise InputError(f"liquid: no law {kind!r} is known; expected {' or '.join(map(repr, sorted(Law.kinds)))}")
-    return Law.kinds[kind](**{name: from_plain(value) if isinstance(value, dict) else value for name, value in written.items()})

@@ -16,8 +16,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from softlube.model.named import to_plain
 from softlube.model.parts import members
-from softlube.model.substrates.base import Kernel, Memory, Orders, Remainder, Substrate, SubstratePart, from_plain, to_plain
+from softlube.model.substrates.base import Kernel, Memory, Orders, Remainder, Substrate, SubstratePart
 
 if TYPE_CHECKING:
     from softlube.model.substrates.half_space import HalfSpace, HalfSpaceKernel
@@ -48,4 +49,5 @@ __all__ = [
     "to_plain",
 ]
 
+from_plain = Kernel.from_plain
 globals().update(members(__name__, __path__, (Kernel, SubstratePart)))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeAlias
 
 from softlube.errors import InputError
 from softlube.model.inputs import LENGTH, NUMBER, PRESSURE, exactly_one, given
+from softlube.model.named import Named
 from softlube.model.parts import Part
 
 if TYPE_CHECKING:
@@ -87,12 +87,12 @@ class Substrate(Protocol):
         ...
 
 
-class Kernel:
+class Kernel(Named):
     """A kernel that files know by its `kind`."""
 
     kinds: ClassVar[dict[str, type[Any]]] = {}
-    """Every kernel by its name in files."""
-    kind: ClassVar[str]
+    usual: ClassVar[str] = "half-space"
+    unknown: ClassVar[str] = "substrate: no"
     words: ClassVar[str] = "an elastic substrate"
 
     @property
@@ -112,10 +112,6 @@ class Kernel:
     def compliance(self, radius: float) -> float:
         """1: no other than the relaxed one."""
         return 1.0
-
-    def __init_subclass__(cls) -> None:
-        if "kind" in vars(cls):  # not yet where a worker of a sweep puts a class together
-            Kernel.kinds[cls.kind] = cls
 
 
 class SubstratePart(Part):
@@ -179,23 +175,3 @@ class SubstratePart(Part):
             Speed of the substrate's surface, seen from the contact [m/s]; None where it is not steady.
         """
         raise NotImplementedError
-
-
-def to_plain(substrate: Substrate) -> dict[str, Any]:
-    """A substrate in plain values, for files."""
-    return {"kind": substrate.kind} | asdict(substrate)  # type: ignore[call-overload]
-
-
-def from_plain(values: dict[str, Any] | None) -> Substrate:
-    """Inverse of `to_plain`; a half-space where nothing was written.
-
-    Raises
-    ------
-    InputError
-        If no substrate has the name that is written.
-    """
-    written = dict(values or {"kind": "half-space"})
-    kind = written.pop("kind")
-    if kind not in Kernel.kinds:
-        raise InputError(f"substrate: no {kind!r} is known; expected {' or '.join(map(repr, sorted(Kernel.kinds)))}")
-    return Kernel.kinds[kind](**written)
