@@ -20,7 +20,6 @@ from softlube.discretization.fields import Fields
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.splines import bilinear
 from softlube.discretization.system import ContactSystem
-from softlube.model.dry import PARABOLOID
 from softlube.model.problem import Problem
 from softlube.solvers.newton import newton
 from softlube.steady.mesh import grid_for
@@ -54,12 +53,9 @@ class ShiftedSystem(ContactSystem):
     def __init__(self, problem: Problem, grid: PolarGrid, scale: float, shift: float) -> None:
         super().__init__(problem, grid, scale)
         x = np.outer(grid.r, np.cos(grid.theta)).ravel()
-        if problem.indenter == PARABOLOID:
-            self.film_offset[0] += shift**2 / 2 - shift * x  # |x − shift|²/2 in place of |x|²/2
-        else:
-            y = np.outer(grid.r, np.sin(grid.theta)).ravel()
-            about_centre = np.repeat(self.indenter.height(grid.r), grid.shape[1])
-            self.film_offset[0] += self.indenter.height(np.hypot(x - shift, y)) - about_centre
+        y = np.outer(grid.r, np.sin(grid.theta)).ravel()
+        about_centre = np.repeat(self.indenter.height(grid.r), grid.shape[1])
+        self.film_offset[0] += self.indenter.height(np.hypot(x - shift, y)) - about_centre
 
 
 @dataclass(frozen=True)
