@@ -81,3 +81,10 @@ def test_a_bootstrap_tells_its_progress(clean):
     # The interval of a single parameter, in logarithm, is about four of its standard deviations.
     width = math.log(estimates["viscosity"].high / estimates["viscosity"].low)
     assert width == pytest.approx(2 * 1.96 * math.sqrt(covariance[0, 0]), rel=0.15)
+
+
+def test_an_estimate_for_people_and_for_programs():
+    open_above = Estimate(2.0, 1.9, math.inf, "Pa s")
+    assert open_above.row("second_viscosity")[0::3] == ("second viscosity", "Pa s")
+    assert open_above.row("viscosity")[2].endswith(" to open")
+    assert open_above.to_dict() == {"value": 2.0, "low": 1.9, "high": None, "unit": "Pa s", "determined": False}

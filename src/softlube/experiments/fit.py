@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from softlube.errors import InputError, SoftlubeError, printable, warn
 from softlube.experiments.fit_checks import FEWEST_SIGNS, HoldOut, check_held_out, order_of_residuals
 from softlube.experiments.friction_model import Model, make_model, normalised_friction
-from softlube.experiments.intervals import Estimate, bootstrap, correlation_of, profile
+from softlube.experiments.intervals import Estimate, bootstrap, correlation_of, finite_or_none, profile
 from softlube.experiments.load_curve import FORCES
 from softlube.experiments.measurements import Measurements, read_measurements
 from softlube.experiments.optimum import solve_model
@@ -114,11 +114,7 @@ class Fit(Summarised):
 
     def summary(self) -> Summary:
         """Every parameter with its interval, fitted or held, and the verdicts."""
-        fitted = [
-            (name.replace("_", " "), value, f"{low} to {high}", estimate.unit)
-            for name, estimate in self.estimates.items()
-            for value, low, high in (estimate.rounded,)
-        ]
+        fitted = [estimate.row(name) for name, estimate in self.estimates.items()]
         held = [
             (name.replace("_", " "), f"{self.values[name]:.5g}", "held", unit_of(name))
             for name in sorted(self.values.keys() - self.estimates.keys())
@@ -142,18 +138,11 @@ class Fit(Summarised):
 
     def to_dict(self) -> dict[str, Any]:
         """Numbers only, ready for JSON; an end of an interval that the data do not set is null."""
-
-        def end(value: float) -> float | None:
-            return value if math.isfinite(value) else None
-
         return {
             "rows": len(self.model.data),
             "free": list(self.model.free),
             "values": dict(self.values),
-            "estimates": {
-                name: {"value": e.value, "low": end(e.low), "high": end(e.high), "unit": e.unit, "determined": e.determined}
-                for name, e in self.estimates.items()
-            },
+            "estimates": {name: each.to_dict() for name, each in self.estimates.items()},
             "confidence": self.confidence,
             "interval": self.interval,
             "robust": self.robust,
@@ -163,7 +152,7 @@ class Fit(Summarised):
             "force": self.model.force,
             "region": self.region,
             "beta": [float(self.beta.min()), float(self.beta.max())],
-            "trend": {"along": self.trend[0] or None, "probability": end(self.trend[1])},
+            "trend": {"along": self.trend[0] or None, "probability": finite_or_none(self.trend[1])},
             "hold_out": None if self.hold_out is None else vars(self.hold_out) | {"lines": list(self.hold_out.lines)},
             "viscosity_otherwise": [{"force": f, "region": r, "viscosity": v} for (f, r), v in self.others.items()],
             "verdicts": list(self.verdicts),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,11 @@ FARTHEST = 7.0
 """Distance in logarithm, a factor of 1000, up to which the end of an interval is looked for."""
 
 
+def finite_or_none(value: float) -> float | None:
+    """A number for JSON, which knows neither infinity nor nan."""
+    return value if math.isfinite(value) else None
+
+
 @dataclass(frozen=True)
 class Estimate:
     """A fitted parameter in SI with its interval; an end that the data do not set is 0 or infinite."""
@@ -59,6 +65,16 @@ class Estimate:
             digits = min(max(2 + math.ceil(math.log10(abs(self.value) / width)), 3), 12)
         low, high = (f"{end:.{digits}g}" if math.isfinite(end) else "open" for end in ends)
         return f"{self.value:.{digits}g}", low, high
+
+    def row(self, name: str) -> tuple[str, str, str, str]:
+        """A row of a table for people: what it is, value, interval, unit."""
+        value, low, high = self.rounded
+        return name.replace("_", " "), value, f"{low} to {high}", self.unit
+
+    def to_dict(self) -> dict[str, Any]:
+        """Numbers only, ready for JSON; an end that the data do not set is null."""
+        ends = {"low": finite_or_none(self.low), "high": finite_or_none(self.high)}
+        return {"value": self.value} | ends | {"unit": self.unit, "determined": self.determined}
 
 
 def profile(model: Parametric, optimum: Optimum, name: str, confidence: float, progress: Listener | None = None) -> Estimate:

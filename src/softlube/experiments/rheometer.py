@@ -15,7 +15,7 @@ from softlube.errors import InputError, NotConvergedError
 from softlube.experiments.fit import DOUBTFUL, TIED
 from softlube.experiments.fit_checks import runs
 from softlube.experiments.flow_curve import CANDIDATES, Candidate, FlowCurve, FlowModel, read_flow_curve
-from softlube.experiments.intervals import Estimate, correlation_of, profile
+from softlube.experiments.intervals import Estimate, correlation_of, finite_or_none, profile
 from softlube.experiments.optimum import Optimum, optimise
 from softlube.model.inputs import declared
 from softlube.model.parts import Part
@@ -147,11 +147,7 @@ class LiquidFit(Summarised):
 
     def summary(self) -> Summary:
         """Every parameter with its interval, and the verdicts."""
-        rows = [
-            (name.replace("_", " "), value, f"{low} to {high}", estimate.unit)
-            for name, estimate in self.estimates.items()
-            for value, low, high in (estimate.rounded,)
-        ]
+        rows = [estimate.row(name) for name, estimate in self.estimates.items()]
         header = ("parameter", "value", f"{100 * self.confidence:g} % interval (profile)", "unit")
         return Summary(self.headline, header, tuple(rows), tuple(each.removesuffix(".") for each in self.verdicts))
 
@@ -165,23 +161,16 @@ class LiquidFit(Summarised):
 
     def to_dict(self) -> dict[str, Any]:
         """Numbers only, ready for JSON; an end of an interval that the data do not set is null."""
-
-        def end(value: float) -> float | None:
-            return value if math.isfinite(value) else None
-
         return {
             "rows": len(self.model.data),
             "law": self.model.candidate.kind,
             "values": dict(self.values),
-            "estimates": {
-                name: {"value": e.value, "low": end(e.low), "high": end(e.high), "unit": e.unit, "determined": e.determined}
-                for name, e in self.estimates.items()
-            },
+            "estimates": {name: each.to_dict() for name, each in self.estimates.items()},
             "confidence": self.confidence,
             "correlation": self.correlation.tolist(),
             "scatter": self.scatter,
             "laws": [{"law": t.candidate.words, "scatter": t.scatter, "criterion": t.criterion} for t in self.trials],
-            "order": end(self.order),
+            "order": finite_or_none(self.order),
             "options": self.options,
             "python": self.python,
             "verdicts": list(self.verdicts),
