@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.errors import InputError, printable
+from softlube.errors import printable
+from softlube.experiments.columns import checked_columns, summary_of
 from softlube.files.tables import one_of, read_table
 from softlube.model.inputs import PRESSURE, VISCOSITY, Dimension, Input
 from softlube.model.liquids import CarreauYasudaLaw, NewtonianLaw
-from softlube.model.prefixes import shown
 from softlube.model.summary import Summarised, Summary
 
 if TYPE_CHECKING:
@@ -74,18 +74,8 @@ class FlowCurve(Summarised):
         InputError
             If they differ in length or a number is not positive and finite.
         """
-        arrays: list[Array] = []
-        for name, given in (("shear_rate", shear_rate), ("viscosity", viscosity)):
-            try:
-                values = np.atleast_1d(np.asarray(given, dtype=float))
-            except (TypeError, ValueError):
-                raise InputError(f"{name}: expected numbers in SI units, got {given!r}") from None
-            if values.ndim != 1 or not np.all(np.isfinite(values) & (values > 0)):
-                raise InputError(f"{name}: expected a row of finite numbers above zero")
-            arrays.append(values)
-        if arrays[0].size != arrays[1].size:
-            raise InputError(f"shear_rate, viscosity: differ in length, {arrays[0].size}, {arrays[1].size}")
-        return cls(arrays[0], arrays[1], np.arange(1, arrays[0].size + 1))
+        rates, viscosities = checked_columns({"shear_rate": shear_rate, "viscosity": viscosity})
+        return cls(rates, viscosities, np.arange(1, rates.size + 1))
 
     @property
     def headline(self) -> str:
@@ -96,11 +86,7 @@ class FlowCurve(Summarised):
     def summary(self) -> Summary:
         """Least, median and greatest value of every column, and what was left out of the file."""
         columns = (("shear_rate", self.shear_rate, "1/s"), ("viscosity", self.viscosity, "Pa s"))
-        rows = [
-            (name, *(shown(float(f"{value:.4g}"), unit) for value in (values.min(), np.median(values), values.max())))
-            for name, values, unit in columns
-        ]
-        return Summary(self.headline, ("column", "least", "median", "greatest"), tuple(rows), self.notices)
+        return summary_of(self.headline, columns, self.notices)
 
     def to_dataframe(self) -> pandas.DataFrame:
         """A row for each measurement, units in the headers; "line" is where it stands in the file."""

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.errors import InputError, printable
+from softlube.errors import printable
+from softlube.experiments.columns import checked_columns, summary_of
 from softlube.files.tables import header_names, one_of, read_table
-from softlube.model.prefixes import shown
 from softlube.model.summary import Summarised, Summary
 
 if TYPE_CHECKING:
@@ -60,19 +60,9 @@ class Measurements(Summarised):
         InputError
             If they differ in length, or a number is not finite, or a load or a speed not positive.
         """
-        arrays: list[Array] = []
-        for name, given in (("load", load), ("speed", speed), ("friction", friction)):
-            try:
-                values = np.atleast_1d(np.asarray(given, dtype=float))
-            except (TypeError, ValueError):
-                raise InputError(f"{name}: expected numbers in SI units, got {given!r}") from None
-            if values.ndim != 1 or not np.all(np.isfinite(values)) or (name != "friction" and np.any(values <= 0)):
-                raise InputError(f"{name}: expected a row of finite numbers" + ("" if name == "friction" else " above zero"))
-            arrays.append(values)
-        if len({values.size for values in arrays}) != 1:
-            raise InputError(f"load, speed, friction: differ in length, {', '.join(str(values.size) for values in arrays)}")
-        size = arrays[0].size
-        return cls(arrays[0], arrays[1], arrays[2], np.full(size, float(slide_to_roll)), np.arange(1, size + 1))
+        given = {"load": load, "speed": speed, "friction": friction}
+        loads, speeds, forces = checked_columns(given, signed={"friction"})
+        return cls(loads, speeds, forces, np.full(loads.size, float(slide_to_roll)), np.arange(1, loads.size + 1))
 
     @property
     def headline(self) -> str:
@@ -88,12 +78,7 @@ class Measurements(Summarised):
             ("friction_coefficient", self.friction / self.load, ""),
             ("slide_to_roll", self.slide_to_roll, ""),
         )
-        rows = [
-            (name, *(shown(float(f"{value:.4g}"), unit) for value in (values.min(), np.median(values), values.max())))
-            for name, values, unit in columns
-            if values.size
-        ]
-        return Summary(self.headline, ("column", "least", "median", "greatest"), tuple(rows), self.notices)
+        return summary_of(self.headline, columns, self.notices)
 
     def to_dataframe(self) -> pandas.DataFrame:
         """A row for each measurement, units in the headers; "line" is where it stands in the file."""
