@@ -56,3 +56,13 @@ def test_marks_are_explained(physical, solution):
     assert pressure.get_title(loc="right") == "dashed: dry contact"
     for ax in (film, pressure):
         assert {"sphere slides →", "inlet"} <= {text.get_text() for text in ax.texts}
+
+
+def test_the_dry_contact_of_a_substrate_that_remembers_is_the_one_whose_radius_is_printed():
+    contact = softlube.Contact(radius="2 mm", young_modulus="3 MPa", prony="9 MPa @ 10 ms", viscosity="1 Pa s", speed="10 mm/s",
+                               load="100 mN")  # fmt: skip
+    solution = contact.solve(accuracy=0.05)
+    film = plot(solution).axes[0]
+    assert film.get_title(loc="right") == "dashed: dry contact at rest; +: minimum film"
+    (circle,) = [line for line in film.get_lines() if line.get_linestyle() == "--"]
+    assert np.max(circle.get_xdata()) == pytest.approx(solution.dimensional["contact_radius"] * 1e6, rel=1e-3)

@@ -129,8 +129,13 @@ def _width(solution: Solution) -> float:
 
 
 def _dry(solution: Solution) -> DryContact | None:
-    """The dry contact on the solution's substrate; None where the film is thicker than a contact is deep."""
-    return Regime.of(solution.problem).dry if _width(solution) == 1 else None
+    """The dry contact at rest on the solution's substrate; None where the film is thicker than a contact is deep."""
+    return Regime.of(solution.problem).dry_at_rest if _width(solution) == 1 else None
+
+
+def _words_of_dry(solution: Solution) -> str:
+    """What `_dry` is called: a substrate that remembers has another dry contact under way."""
+    return "dry contact" if solution.problem.substrate.memory is None else "dry contact at rest"
 
 
 def plot(solution: Solution | LineSolution, path: str | os.PathLike[str] | None = None) -> Figure:
@@ -224,7 +229,7 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
     mesh.set_edgecolor("face")
     dry = _dry(solution)
     if dry is not None:
-        marks.insert(0, "dashed: dry contact")
+        marks.insert(0, f"dashed: {_words_of_dry(solution)}")
         angle = np.linspace(0, 2 * np.pi, 200)
         ax.plot(dry.radius * np.cos(angle) * length, dry.radius * np.sin(angle) * length, "--", color="white", lw=0.7)
     ink = "black" if field == "film" else "white"  # on the brightest and the darkest colour of the maps
@@ -281,7 +286,7 @@ def _profile(ax: Axes, solution: Solution, direction: str) -> None:
     dry = _dry(solution)
     if dry is not None:
         of_hertz = (solution.problem.substrate, solution.problem.indenter) == (HalfSpaceKernel(), PARABOLOID)
-        name = "Hertz" if of_hertz else "dry contact"
+        name = "Hertz" if of_hertz else _words_of_dry(solution)
         other.plot(place * length, dry.pressure(r) * pressure, ":", color="0.35", lw=0.9, label=name)
         other.legend(loc="upper center", frameon=False)
     if "lambda_ratio" in solution.dimensional:

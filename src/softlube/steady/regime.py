@@ -140,18 +140,15 @@ class Regime:
         return self.thickening > THICK
 
     @property
-    def edge_radius(self) -> float:
-        """Radius a of the dry contact, over which loads and frictions are taken; the unit of length over a prescribed gap.
+    def dry_at_rest(self) -> DryContact:
+        """The dry contact where nothing slides: on the relaxed substrate if it has a memory."""
+        substrate = self.problem.substrate
+        return self.dry if substrate.memory is None else _dry(self.problem, substrate.elastic)
 
-        That on the relaxed substrate if it has a memory.
-        """
-        if self.problem.height >= 0:
-            return 1.0
-        return (
-            self.dry.radius
-            if self.problem.substrate.memory is None
-            else _dry(self.problem, self.problem.substrate.elastic).radius
-        )
+    @property
+    def edge_radius(self) -> float:
+        """Radius a of `dry_at_rest`, over which loads and frictions are taken; the unit of length over a prescribed gap."""
+        return 1.0 if self.problem.height >= 0 else self.dry_at_rest.radius
 
     @cached_property
     def first_height(self) -> float:
