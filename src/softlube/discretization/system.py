@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 from softlube.discretization.elasticity import ElasticOperator, elastic_operator, rim_slice
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import RIM, PolarGrid
-from softlube.discretization.memory import operator_of
+from softlube.discretization.memory import MemoryOperator, memory_operator
 from softlube.discretization.preconditioner import Border, FilmBalance, FilmEquation, local_stiffness
 from softlube.discretization.reynolds import Flow, ReynoldsOperator
 from softlube.model.dry import dry_contact, smeared_contact
 from softlube.model.exact import HERTZ_LOAD, far_field_profile, kapitza_pressure
 from softlube.model.film_section import viscosity_at
 from softlube.model.problem import Problem
-from softlube.model.substrates import Substrate
+from softlube.model.substrates import Memory, Substrate
 
 Array = NDArray[np.floating]
 Mask = NDArray[np.bool_]
@@ -44,26 +44,58 @@ LEAST_LIFT, LIFTS = 0.25, 20
 
 
 class _Operators(NamedTuple):
-    """What a system needs of its grid: the operators, and the displacement by the far field on the rim and beyond."""
+    """What a system needs of its grid.
+
+    Attributes
+    ----------
+    elastic, reynolds, balance
+        The operators.
+    far_displacement : ndarray, shape (2, n)
+        Displacement of the relaxed surface by the far field on the rim and beyond, see `ElasticOperator.far_displacement`.
+    memory : MemoryOperator or None
+        What the substrate makes of an elastic displacement, if it remembers.
+    far_remembered : ndarray, shape (2, n)
+        `far_displacement` with the memory.
+    """
 
     elastic: ElasticOperator
     reynolds: ReynoldsOperator
     balance: FilmBalance
     far_displacement: Array
+    memory: MemoryOperator | None
+    far_remembered: Array
+
+
+def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> _Operators:
+    if substrate.memory is None:
+        return _relaxed(grid, cavitation, substrate)
+    return _remembering(grid, cavitation, substrate.elastic, substrate.memory)
 
 
 @lru_cache(maxsize=8)
-def _operators(grid: PolarGrid, cavitation: str, substrate: Substrate) -> _Operators:
+def _relaxed(grid: PolarGrid, cavitation: str, substrate: Substrate) -> _Operators:
     elastic, reynolds = elastic_operator(grid, cavitation, substrate.remainder), ReynoldsOperator.on(grid)
     rim = rim_slice(grid)
     displaced = [elastic.deflection(np.concatenate([np.zeros(grid.n_unknown), far[rim]])) for far in elastic.far_pressure]
     balance = FilmBalance(reynolds.nearest, local_stiffness(grid, elastic))
-    return _Operators(elastic, reynolds, balance, elastic.far_displacement + np.stack(displaced))
+    far = elastic.far_displacement + np.stack(displaced)
+    return _Operators(elastic, reynolds, balance, far, None, far)
+
+
+@lru_cache(maxsize=8)
+def _remembering(grid: PolarGrid, cavitation: str, elastic: Substrate, memory: Memory) -> _Operators:
+    relaxed, operator = _relaxed(grid, cavitation, elastic), memory_operator(grid, memory.shares, memory.lengths)
+    return relaxed._replace(
+        balance=relaxed.balance.stiffened(1 / operator.compliance[: grid.n_unknown]),
+        memory=operator,
+        far_remembered=relaxed.far_displacement @ operator.matrix.T,
+    )
 
 
 def forget_operators() -> None:
     """Free the memory of the operators kept for grids that may come again."""
-    _operators.cache_clear()
+    for kept in (_relaxed, _remembering, memory_operator):
+        kept.cache_clear()
 
 
 class ContactSystem:
@@ -91,12 +123,10 @@ class ContactSystem:
         # Lengths scale with the root of the unit, and so do pressures.
         self.substrate, self.liquid = problem.substrate.in_units(scale), problem.liquid.in_units(scale)
         self.indenter = problem.indenter.in_units(scale)
-        self.elastic, self.reynolds, self.balance, displaced = _operators(grid, problem.cavitation, self.substrate.elastic)
-        self.memory = operator_of(grid, self.substrate.memory)
-        self.far_deflection = self.speed * displaced
-        if self.memory is not None:
-            displaced = displaced @ self.memory.matrix.T
-            self.balance = self.balance.stiffened(1 / self.memory.compliance[: grid.n_unknown])
+        operators = _operators(grid, problem.cavitation, self.substrate)
+        self.elastic, self.reynolds, self.balance = operators.elastic, operators.reynolds, operators.balance
+        self.memory = operators.memory
+        self.far_deflection = self.speed * operators.far_displacement
         n, load_controlled = grid.n_unknown, problem.load_controlled
         self.self_deflection = np.zeros(grid.shape[0] * grid.shape[1])
         self.self_deflection[:n] = 1 / np.abs(self.balance.stiffness.diagonal())
@@ -108,7 +138,7 @@ class ContactSystem:
         strength = self.speed * viscosity * np.array(self.indenter.far_field(float(grid.r[-RIM])))
         far = strength[:, None] * self.elastic.far_pressure[:, rim]
         self.rim_pressure = far
-        self.film_offset = strength[:, None] * displaced
+        self.film_offset = strength[:, None] * operators.far_remembered
         self.film_offset[0] += np.repeat(self.indenter.height(grid.r), grid.shape[1])
         self.film_offset[1] += 1
         self._thickened = strength * (borne - 1) * self.elastic.far_load
