@@ -20,8 +20,10 @@ if TYPE_CHECKING:
     from softlube.experiments.fit import Fit, fit
     from softlube.experiments.flow_curve import FlowCurve, read_flow_curve
     from softlube.experiments.measurements import Measurements, read_measurements
+    from softlube.experiments.moduli import Moduli, read_moduli
     from softlube.experiments.rheometer import LiquidFit, fit_liquid
     from softlube.experiments.stribeck import StribeckCurve, stribeck_curve
+    from softlube.experiments.substrate_fit import SubstrateFit, fit_substrate
     from softlube.files.histories import read_history
     from softlube.files.netcdf import load
     from softlube.model import dry, liquids, substrates
@@ -73,6 +75,7 @@ _NAMES = {
     "LineContact": "physical.line",
     "LiquidFit": "experiments.rheometer",
     "Measurements": "experiments.measurements",
+    "Moduli": "experiments.moduli",
     "NotConvergedError": "errors",
     "Problem": "model.problem",
     "Quantity": "model.quantities",
@@ -82,14 +85,17 @@ _NAMES = {
     "Solution": "steady.solution",
     "Squeeze": "transient.squeeze.result",
     "StribeckCurve": "experiments.stribeck",
+    "SubstrateFit": "experiments.substrate_fit",
     "Sweep": "sweeps",
     "ValidityWarning": "errors",
     "fit": "experiments.fit",
     "fit_liquid": "experiments.rheometer",
+    "fit_substrate": "experiments.substrate_fit",
     "load": "files.netcdf",
     "read_flow_curve": "experiments.flow_curve",
     "read_history": "files.histories",
     "read_measurements": "experiments.measurements",
+    "read_moduli": "experiments.moduli",
     "slide": "experiments.approach",
     "solve": "steady.solve",
     "squeeze": "experiments.approach",
@@ -133,6 +139,7 @@ __all__ = [
     "LineContact",
     "LiquidFit",
     "Measurements",
+    "Moduli",
     "Newtonian",
     "NotConvergedError",
     "PowerLaw",
@@ -153,6 +160,7 @@ __all__ = [
     "Squeeze",
     "StandardLinearSolid",
     "StribeckCurve",
+    "SubstrateFit",
     "Sweep",
     "ValidityWarning",
     "Viscoelastic",
@@ -163,6 +171,7 @@ __all__ = [
     "engineering",
     "fit",
     "fit_liquid",
+    "fit_substrate",
     "flow",
     "free_boundary",
     "friction",
@@ -174,6 +183,7 @@ __all__ = [
     "read_flow_curve",
     "read_history",
     "read_measurements",
+    "read_moduli",
     "scaling",
     "side",
     "slide",

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
-from cyclopts import Group, Parameter
+from cyclopts import Parameter
 
+from softlube.cli.material import FIT, AsJson, Output, Plot, check_files, conclude
 from softlube.cli.numbers import CHOICE, FLOAT
 from softlube.errors import printable
 
-if TYPE_CHECKING:
-    from softlube.experiments.rheometer import LiquidFit
-
-_FIT = Group("Fit", sort_key=1)
-_OUTPUT = Group("Output", sort_key=2)
 Law = Literal["newtonian", "power-law", "carreau", "cross", "carreau-yasuda"]
 
 
@@ -21,12 +17,12 @@ def fit(
     data: str,
     /,
     *,
-    law: Annotated[Law | None, CHOICE, Parameter(group=_FIT)] = None,
-    second_plateau: Annotated[bool | None, Parameter(group=_FIT)] = None,
-    confidence: Annotated[float, FLOAT, Parameter(group=_FIT)] = 0.95,
-    plot: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
-    output: Annotated[str | None, Parameter(group=_OUTPUT)] = None,
-    as_json: Annotated[bool, Parameter(name="--json", negative=(), group=_OUTPUT)] = False,
+    law: Annotated[Law | None, CHOICE, Parameter(group=FIT)] = None,
+    second_plateau: Annotated[bool | None, Parameter(group=FIT)] = None,
+    confidence: Annotated[float, FLOAT, Parameter(group=FIT)] = 0.95,
+    plot: Plot = None,
+    output: Output = None,
+    as_json: AsJson = False,
 ) -> int:
     """Fit the law of a thinning liquid to a rheometer's viscosities, and say what the data determine.
 
@@ -50,21 +46,7 @@ def fit(
     as_json
         Print one JSON object and nothing else.
     """
-    import json
-
-    from softlube.errors import InputError
-    from softlube.files.writing import check_destination, write_whole
-
-    if output is not None:
-        check_destination("output", output)
-    if plot is not None:
-        from softlube.plots.solution import check_format
-
-        check_format("plot", plot)
-        check_destination("plot", plot)
-    paths = [check_destination(name, path) for name, path in (("output", output), ("plot", plot)) if path is not None]
-    if len({path.resolve() for path in [check_destination("data", data), *paths]}) <= len(paths):
-        raise InputError("output, plot: expected files of their own")
+    check_files(data, output, plot)
 
     from softlube.experiments.rheometer import fit_liquid
 
@@ -73,33 +55,9 @@ def fit(
         from softlube.plots.rheometer import plot_liquid
 
         plot_liquid(found, plot)
-    text = json.dumps(found.to_dict(), allow_nan=False)
-    if output is not None:
-        write_whole({output: f"{text}\n".encode()})
-    if as_json:
-        print(text, flush=True)
-    else:
-        _report(found, [path for path in (output, plot) if path is not None])
-    return 0
-
-
-def _report(found: LiquidFit, files: list[str]) -> None:
-    from rich.console import Console
-
-    from softlube.cli.table import show, summary_table, text_table
-
-    console = Console(highlight=False, soft_wrap=True)
-    data, candidate = found.model.data, found.model.candidate
-    console.print(f"{len(data)} rows of {printable(data.source)}; law: {candidate.words}", markup=False)
-    for notice in data.notices:
-        console.print(f"Note: {printable(notice)}.", markup=False)
-    show(console, summary_table(found.summary()))
+    measured = found.model.data
+    title = f"{len(measured)} rows of {printable(measured.source)}; law: {found.model.candidate.words}"
     rows = [(each.candidate.words, f"{each.criterion:.1f}", f"{100 * each.scatter:.2g} %") for each in found.trials]
-    show(console, text_table(rows, ("law", "AICc over least", "scatter")))
-    for verdict in found.verdicts:
-        console.print(verdict, markup=False)
-    console.print("As inputs of the other commands, and in Python:")
-    console.print(f"  {found.options}", markup=False)
-    console.print(f"  {found.python}", markup=False)
-    for path in files:
-        console.print(f"Wrote {printable(path)}", markup=False)
+    heads = "law", "AICc over least", "scatter"
+    conclude(found, title, measured.notices, rows, heads, output=output, plot=plot, as_json=as_json)
+    return 0

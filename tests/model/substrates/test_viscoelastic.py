@@ -18,7 +18,7 @@ from softlube.model.substrates import (
     from_plain,
     to_plain,
 )
-from softlube.model.substrates.viscoelastic import creep_of
+from softlube.model.substrates.viscoelastic import Creep, Term, creep_of, relaxation_of
 
 
 @pytest.mark.parametrize("n", [1, 2, 7, 30])
@@ -43,6 +43,18 @@ def test_one_time():
     creep = creep_of(2.0, [(6.0, 3.0)])
     assert creep.instantaneous == pytest.approx(1 / 8)
     assert creep.terms[0] == pytest.approx((6 / 16, 12.0))
+
+
+@pytest.mark.parametrize("n", [1, 2, 7, 30])
+def test_relaxation_is_the_inverse_of_creep(n):
+    random = np.random.default_rng(n)
+    times, moduli = np.sort(10 ** random.uniform(-5, 5, n)), 10 ** random.uniform(-3, 3, n)
+    relaxed, terms = relaxation_of(creep_of(0.5, zip(moduli, times, strict=True)))
+    assert relaxed == pytest.approx(0.5, rel=1e-12)
+    assert [term.time for term in terms] == pytest.approx(times, rel=1e-9)
+    assert [term.weight for term in terms] == pytest.approx(moduli, rel=1e-6)
+    assert relaxation_of(Creep(0.25, ())) == (4.0, ())
+    assert relaxation_of(Creep(1 / 8, (Term(6 / 16, 12.0),))) == (2.0, (pytest.approx((6.0, 3.0)),))  # as in `test_one_time`
 
 
 def test_equal_times_are_one():

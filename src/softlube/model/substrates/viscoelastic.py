@@ -115,6 +115,29 @@ def creep_of(relaxed: float, terms: Iterable[tuple[float, float]]) -> Creep:
     return Creep(instantaneous, tuple(map(Term, weights.tolist(), roots.tolist())))
 
 
+def relaxation_of(creep: Creep) -> tuple[float, tuple[Term, ...]]:
+    """The relaxation modulus of a creep compliance, exactly: E for t → ∞, and Eᵢ and τᵢ, times ascending.
+
+    Parameters
+    ----------
+    creep : Creep
+        With a positive instantaneous compliance.
+
+    Notes
+    -----
+    With Laplace's variable p the modulus is E + Σ Eᵢ pτᵢ/(1 + pτᵢ), its inverse J₀ + Σ Jᵢ/(1 + pτᵢ′).  In q = 1/p the second is
+    J₀ + Σ Jᵢ qθᵢ/(1 + qθᵢ) with θᵢ = 1/τᵢ′: a modulus, whose inverse `creep_of` knows.
+
+    Examples
+    --------
+    >>> relaxed, terms = relaxation_of(creep_of(1.0, [(9.0, 1.0)]))
+    >>> print(f"{relaxed:.9g}", *(f"{each.weight:.9g} in {each.time:.9g} s" for each in terms))
+    1 9 in 1 s
+    """
+    inverse = creep_of(creep.instantaneous, [(term.weight, 1 / term.time) for term in creep.terms])
+    return inverse.instantaneous, tuple(Term(term.weight, 1 / term.time) for term in reversed(inverse.terms))
+
+
 @dataclass(frozen=True)
 class ViscoelasticKernel(Kernel):
     """A viscoelastic half-space under steady sliding, normalised with its relaxed modulus.
