@@ -50,8 +50,6 @@ class Series:
         Eᵢ and τᵢ, or Jᵢ and τᵢ′, times ascending.
     residuals : mapping of str to ndarray, shape (rows,)
         1 − series/measured for each measured column.
-    loose : float
-        Standard deviation of the logarithm of the constant, for the scatter that the series leaves.
     criterion : float
         Akaike's, corrected for few data (AICc); infinite where there are too few.
     """
@@ -60,7 +58,6 @@ class Series:
     weights: Array
     times: Array
     residuals: Mapping[str, Array]
-    loose: float
     criterion: float
 
     @property
@@ -137,9 +134,9 @@ class _Fitting:
         found = least_squares(
             residuals, start, jac=jacobian, bounds=tuple(bounds), xtol=1e-12, ftol=1e-12, gtol=1e-12, max_nfev=MOST_STEPS
         )
-        return self._series(*parts(found.x), np.asarray(found.jac))
+        return self._series(*parts(found.x))
 
-    def _series(self, weights: Array, times: Array, jacobian: Array) -> Series:
+    def _series(self, weights: Array, times: Array) -> Series:
         data = self.data
         model = data.procedure.kernels(data.where, times)[0] @ weights
         measured = data.procedure.measured
@@ -150,11 +147,8 @@ class _Fitting:
         if values - fitted > 1:
             squares = (max(float(np.mean(each**2)), ENOUGH**2) for each in residuals.values())
             criterion = len(data) * sum(map(math.log, squares)) + 2 * fitted * (1 + (fitted + 1) / (values - fitted - 1))
-        left = (model - data.stacked) * self.per_unit
-        variance = float(left @ left) / max(values - weights.size - times.size, 1)
-        loose = math.sqrt(max(variance * float(np.linalg.pinv(jacobian.T @ jacobian)[0, 0]), 0.0))
         order = np.argsort(times)
-        return Series(float(weights[0]), weights[1:][order], times[order], residuals, loose, criterion)
+        return Series(float(weights[0]), weights[1:][order], times[order], residuals, criterion)
 
     def fewer(self, found: Series) -> Array:
         """The times with one less: two neighbours merged or one dropped, whichever the data miss least."""

@@ -29,14 +29,12 @@ Array = NDArray[np.floating]
 FEWEST_ROWS = 5
 NARROWEST = 10.0
 """Factor between the frequencies or times of a test below which it tells no series."""
-LOOSEST = 0.5
-"""Standard deviation of the logarithm of the constant part from which on the data do not tell it."""
 FAR, FARTHEST = 1.1, 10.0
 """Factors between a modulus at an end of the data and its limit from which on the limit counts as a guess, and as unknown."""
 UNTOLD = {
     "oscillation": "the data do not tell the relaxed modulus, which carries the load in the end; measure lower frequencies",
     "relaxation": "the data do not tell the relaxed modulus, which carries the load in the end; measure longer times",
-    "creep": "the data do not tell the compliance that creep begins with, or that it ends with; measure more times",
+    "creep": "the data do not tell the compliance that creep begins with, or ends with; measure shorter and longer times",
 }
 """What to say where a limit is not told."""
 DIGITS = 4
@@ -260,8 +258,6 @@ def fit_substrate(
     series = chosen(trials) if terms is None else next(each for each in trials if each.times.size == terms)
     if not series.times.size:
         raise InputError(f"{data.source}: the data show no memory; take an elastic half-space")
-    if not series.loose < LOOSEST:
-        raise InputError(f"{data.source}: {UNTOLD[data.procedure.name]}")
     relaxed, found = series.constant, tuple(map(Term, series.weights.tolist(), series.times.tolist()))
     if data.procedure.name == "creep":
         relaxed, found = relaxation_of(Creep(relaxed, found))
@@ -270,7 +266,8 @@ def fit_substrate(
     orders = [runs(data.where, each) for each in told] or [math.nan]
     order = min(1.0, len(orders) * min(orders)) if all(map(math.isfinite, orders)) else math.nan
     result = SubstrateFit(data, poisson_ratio, relaxed, found, series, trials, order)
-    if result.ends[0] > FARTHEST * relaxed:
+    slow, fast = result.ends
+    if slow > FARTHEST * relaxed or (data.procedure.name == "creep" and result.instantaneous > FARTHEST * fast):
         raise InputError(f"{data.source}: {UNTOLD[data.procedure.name]}")
     return result
 
