@@ -80,7 +80,13 @@ class ReynoldsOperator:
         )
 
     def at(
-        self, pressure: Array, film: Array, speed: float, liquid: Liquid = CONSTANT, slide_to_roll: float = FIXED_BALL
+        self,
+        pressure: Array,
+        film: Array,
+        speed: float,
+        liquid: Liquid = CONSTANT,
+        slide_to_roll: float = FIXED_BALL,
+        mean_stress: Array | None = None,
     ) -> Flow:
         """The flow between the nodes.
 
@@ -94,8 +100,10 @@ class ReynoldsOperator:
             Of its reduced pressure q and its density ρ the flux is ρu³∇q.
         slide_to_roll : float
             S, by which the walls' speeds differ by S/2 of their sum; only a liquid that thins with shear knows it.
+        mean_stress : ndarray, shape (2, faces), optional
+            `Flow.mean_stress` of a state close by, for a quick start.
         """
-        return Flow(self, pressure, film, speed, liquid, slide_to_roll)
+        return Flow(self, pressure, film, speed, liquid, slide_to_roll, mean_stress)
 
     def residual(
         self, pressure: Array, film: Array, speed: float, liquid: Liquid = CONSTANT, slide_to_roll: float = FIXED_BALL
@@ -119,6 +127,8 @@ class Driven(NamedTuple):
         Derivative by the gradient of the reduced pressure along the face; None for zero.
     by_pressure : ndarray or None, shape (faces,)
         Derivative by the pressure on the face, the reduced pressure held; None for zero.
+    mean_stress : ndarray or None, shape (2, faces)
+        Mean stress across the film; None where nothing depends on it.
     """
 
     flux: Array
@@ -126,10 +136,18 @@ class Driven(NamedTuple):
     by_film: Array
     by_tangent: Array | None
     by_pressure: Array | None
+    mean_stress: Array | None = None
 
 
 def _thinning(
-    operator: ReynoldsOperator, gradient: Array, reduced: Array, pressure: Array, film: Array, slip: float, liquid: Liquid
+    operator: ReynoldsOperator,
+    gradient: Array,
+    reduced: Array,
+    pressure: Array,
+    film: Array,
+    slip: float,
+    liquid: Liquid,
+    guess: Array | None,
 ) -> Driven:
     """The flux φu²m/6 of a liquid that thins with shear; slip is the walls' difference of speed, over β."""
     faces = operator.faces
@@ -138,7 +156,7 @@ def _thinning(
     to_stress = 6 * film / fluidity
     difference = to_stress * (across * faces.normal + along * faces.tangent)
     drag = slip / (film * fluidity)
-    section = film_section(liquid, difference, drag)
+    section = film_section(liquid, difference, drag, guess=guess)
     normal = faces.normal
     moment = np.sum(normal * section.moment, axis=0)
     turned = np.einsum("ik,ijk->jk", normal, section.by_difference)
@@ -150,6 +168,7 @@ def _thinning(
         by_film=size * film * fluidity / 6 * (2 * moment + by_difference - by_drag),
         by_tangent=size * film**3 * np.sum(turned * faces.tangent, axis=0),
         by_pressure=size * film**2 / 6 * (moment - by_difference - by_drag) * steepness,
+        mean_stress=section.mean,
     )
 
 
@@ -168,7 +187,7 @@ class Flow:
     ----------
     operator : ReynoldsOperator
         The differences.
-    pressure, film, speed, liquid, slide_to_roll
+    pressure, film, speed, liquid, slide_to_roll, mean_stress
         See `ReynoldsOperator.at`.
     """
 
@@ -180,6 +199,7 @@ class Flow:
         speed: float,
         liquid: Liquid,
         slide_to_roll: float = FIXED_BALL,
+        mean_stress: Array | None = None,
     ) -> None:
         differences = operator.differences
         self._operator = operator
@@ -198,13 +218,19 @@ class Flow:
             self._weight = np.clip(1 - differences.midpoint @ self._fluidity, 0.0, 1.0)
             self._bias = differences.upstream @ (self._density * film)
         if liquid.thins:
-            self._driven = _thinning(operator, gradient, reduced, pressure, self._on_faces, speed * slide_to_roll / 2, liquid)
+            slip = speed * slide_to_roll / 2
+            self._driven = _thinning(operator, gradient, reduced, pressure, self._on_faces, slip, liquid, mean_stress)
         else:
             mobility = operator.conductance * self._on_faces**3
             pushed = 3 * operator.conductance * self._on_faces**2 * gradient
             self._driven = Driven(mobility * gradient, mobility, pushed, None, None)
         poiseuille = self._density_on_faces * self._driven.flux
         self._flux = poiseuille + self._drag * (carried + self._weight * self._bias)
+
+    @property
+    def mean_stress(self) -> Array | None:
+        """Mean stress across the film on the faces, shape (2, faces), of a liquid that thins with shear; None for another."""
+        return self._driven.mean_stress
 
     @cached_property
     def residual(self) -> Array:

@@ -132,6 +132,7 @@ class ContactSystem:
         self.self_deflection[:n] = 1 / np.abs(self.balance.stiffness.diagonal())
         self.constrained = np.zeros(n + load_controlled, dtype=bool)
         self.constrained[:n] = problem.cavitation == "reynolds"
+        self.mean_stress: Array | None = None  # on the faces, of the last state, a quick start for the next
         # The far field, and with it the film, is linear in h₀: value = [0] + h₀ [1].
         rim = rim_slice(grid)
         viscosity, borne = self._beyond(float(grid.r[-1]))
@@ -287,8 +288,10 @@ class LinearisedContact:
     def flow(self) -> Flow:
         """The fluxes between the nodes."""
         system = self.system
-        ratio = system.problem.slide_to_roll
-        return system.reynolds.at(system.pressure(self.x), self.film, system.speed, system.liquid, ratio)
+        problem, pressure = system.problem, system.pressure(self.x)
+        flow = system.reynolds.at(pressure, self.film, system.speed, system.liquid, problem.slide_to_roll, system.mean_stress)
+        system.mean_stress = flow.mean_stress
+        return flow
 
     @cached_property
     def residual(self) -> Array:

@@ -28,32 +28,46 @@ from softlube.model.liquids import Liquid
 Array = NDArray[np.floating]
 Fluidity = Callable[[Array], tuple[Array, Array]]
 
-POINTS = 10
-"""Gauss's points on each part of the film: m is exact to some 1e-6 where the stress goes from a thousandth of what the liquid
-thins at to a thousand times that, and to 1e-10 with `EXACT` (tests/model/test_film_section.py)."""
-EXACT = 30
+
+class Precision(NamedTuple):
+    """How exactly the flow across the film is found.
+
+    Attributes
+    ----------
+    points : int
+        Gauss's points on each part of the film.
+    short : float
+        Relative step of the mean stress that is the last one; what it leaves is some 30 times its square.
+    """
+
+    points: int
+    short: float
+
+
+USUAL, EXACT = Precision(10, 1e-5), Precision(30, 1e-6)
+"""Precisions: m is exact to some 1e-6 where the stress goes from a thousandth of what the liquid thins at to a thousand times
+that, and to 1e-10 (tests/model/test_film_section.py)."""
 STRAIGHT, STRAIGHT_POINTS = 0.3, 6
 """Ratio of b to the mean stress below which ψ is smooth across the film, and Gauss's points for the whole of it then."""
-SHORT = 1e-6
-"""Relative step of the mean stress that is the last one: what it leaves is its square."""
 MOST_STEPS = 60
-"""Steps of Newton's method at most; four are usual."""
+"""Steps of Newton's method at most; three are usual, and one from the mean stress of a state close by."""
 LONGEST = 0.5
 """Largest change of the mean stress in one step, over the largest stress at the place."""
+FIRST_STEPS = 3
+"""Steps to the first guess of the mean stress, at one stress each."""
+LEAST = 1e-150
+"""Stress that stands for none where a logarithm is taken."""
 
 
 @cache
-def _whole() -> tuple[Array, Array]:
-    """Places and weights on the whole film, in columns."""
-    x, weight = leggauss(STRAIGHT_POINTS)
-    return x[:, None] / 2, weight[:, None] / 2
+def _rule(points: int, whole: bool) -> tuple[Array, Array]:
+    """Places in a part of the film of unit length, in a column, and weights for the moments 0 to 4, shape (5, points).
 
-
-@cache
-def _rule(points: int) -> tuple[Array, Array]:
-    """Places ζ = y² on a part of unit length, in a column, and their weights."""
+    On the whole film the places are about its middle, otherwise y² from the part's end.
+    """
     x, weight = leggauss(points)
-    return (((x + 1) / 2) ** 2)[:, None], (weight * (x + 1) / 2)[:, None]
+    place, weight = (x / 2, weight / 2) if whole else (((x + 1) / 2) ** 2, weight * (x + 1) / 2)
+    return place[:, None], weight * place ** np.arange(5)[:, None]
 
 
 class Section(NamedTuple):
@@ -83,7 +97,9 @@ def viscosity_at(liquid: Liquid, rate: Array | float) -> Array:
     return liquid.flow_curve(rate) / rate
 
 
-def film_section(liquid: Liquid, difference: Array, drag: Array, points: int = POINTS) -> Section:
+def film_section(
+    liquid: Liquid, difference: Array, drag: Array, precision: Precision = USUAL, guess: Array | None = None
+) -> Section:
     """Solve for the flow across the film.
 
     Parameters
@@ -94,103 +110,130 @@ def film_section(liquid: Liquid, difference: Array, drag: Array, points: int = P
         b, Cartesian; x is the direction in which the walls slide along each other.
     drag : ndarray, shape (n,)
         c.
-    points : int
-        Points of the quadrature on each part of the film.
+    precision : Precision
+        Of the quadrature and of the mean stress.
+    guess : ndarray, shape (2, n), optional
+        Mean stress of a state close by, where Newton's method starts.
     """
-    fluidity, n = liquid.fluidity_at, drag.size
-    b_x, b_y = difference
-    size = np.hypot(b_x, b_y)
-    # Both are above the mean stress, from where Newton's method comes down to it.
-    with np.errstate(divide="ignore", over="ignore"):
-        along = np.minimum(liquid.flow_curve(np.abs(drag)), np.abs(drag) * np.exp(-fluidity(np.maximum(size / 4, 1e-300))[0]))
-    mean = np.stack([np.copysign(along, drag), np.zeros(n)])
-    moment, by_difference, by_drag = np.empty((2, n)), np.empty((2, 2, n)), np.empty((2, n))
+    n, size = drag.size, np.hypot(*difference)
+    mean = _first_mean(liquid, difference, drag) if guess is None else guess.copy()
+    found = Section(mean, np.zeros((2, n)), np.empty((2, 2, n)), np.zeros((2, n)))
     still = size == 0  # sheared only
     if np.any(still):
-        ln_psi, slope = fluidity(np.maximum(along[still], 1e-150))
-        psi = np.exp(ln_psi)
-        zero = np.zeros(psi.size)
-        moment[:, still], by_drag[:, still] = 0.0, 0.0
-        by_difference[:, :, still] = np.array([[psi * (1 + slope), zero], [zero, psi]])
-    found = Section(mean, moment, by_difference, by_drag)
-    straight = ~still & (size < STRAIGHT * along)
-    for places, whole in ((straight, True), (~still & ~straight, False)):
-        _converge(fluidity, difference, size, drag, found, np.flatnonzero(places), points, whole)
+        stress = np.copysign(liquid.flow_curve(np.abs(drag[still])), drag[still])
+        ln_psi, slope = liquid.fluidity_at(np.maximum(np.abs(stress), LEAST))
+        psi, zero = np.exp(ln_psi), np.zeros(stress.size)
+        mean[:, still] = stress, zero
+        found.by_difference[:, :, still] = np.array([[psi * (1 + slope), zero], [zero, psi]])
+    straight = size < STRAIGHT * np.hypot(*mean)
+    for places, whole in ((straight, True), (~straight, False)):
+        at = np.flatnonzero(places & ~still)
+        _converge(liquid.fluidity_at, difference, drag, found, at, precision, whole)
     return found
+
+
+def _first_mean(liquid: Liquid, difference: Array, drag: Array) -> Array:
+    """About the mean stress: what the drag causes with ψ of one stress.
+
+    The square of that stress is (τm)² + (3b_x² + b_y²)/12, which is right for a liquid that hardly thins.
+    """
+    sheared = np.maximum(np.abs(drag), LEAST)
+    pushed = (3 * difference[0] ** 2 + difference[1] ** 2) / 12
+    goal, ln_mean = np.log(sheared), np.log(np.maximum(liquid.flow_curve(sheared), LEAST))
+    share = slope = np.zeros(drag.size)
+    for _ in range(FIRST_STEPS):
+        own = np.exp(2 * ln_mean)
+        share = pushed / (own + pushed)
+        ln_psi, slope = liquid.fluidity_at(np.sqrt(own + pushed))
+        ln_mean = np.maximum(ln_mean - (ln_mean + ln_psi - goal) / (1 + slope * (1 - share)), np.log(LEAST))
+    mean = np.where(drag == 0, 0.0, np.copysign(np.exp(ln_mean), drag))
+    # Where b is the larger, ψ(1 + slope) is what resists along b, ψ what resists across it.
+    along, across = np.where(share > 0, difference / np.sqrt(np.maximum(12 * pushed, LEAST**2)), 0.0)
+    return np.stack([mean, -mean * slope * share * along * across])
 
 
 def _converge(
     fluidity: Fluidity,
     difference: Array,
-    size: Array,
     drag: Array,
     found: Section,
     open_: NDArray[np.integer],
-    points: int,
+    precision: Precision,
     whole: bool,
 ) -> None:
     """Newton's method at some places, from the mean stresses there; all is written to what is found."""
     mean, moment, by_difference, by_drag = found
-    b_x, b_y = difference
     for _ in range(MOST_STEPS):
         if not open_.size:
             return
-        m_x, m_y = mean[:, open_]
-        first, second = _integrals(fluidity, m_x, m_y, b_x[open_], b_y[open_], size[open_], points, whole)
-        rate, turned = first  # ∫ψτ, ∫ζψτ
-        a0, a1, a2 = second  # ∫T, ∫ζT, ∫ζ²T as xx, xy, yy
-        step = _solve(a0, np.stack([rate[0] - drag[open_], rate[1]]))
-        largest = np.hypot(m_x, m_y) + size[open_] / 2
-        length = np.hypot(step[0], step[1])
-        step = step * np.minimum(1.0, LONGEST * largest / np.maximum(length, 1e-300))
-        mean[:, open_] -= step
-        last = length <= SHORT * largest
+        m, b = mean[:, open_], difference[:, open_]
+        rate, turned, a0, a1, a2 = _integrals(fluidity, m, b, STRAIGHT_POINTS if whole else precision.points, whole)
+        rate[0] -= drag[open_]
+        inverse = _inverse(a0)
+        step = _times(inverse, rate)
+        largest, length = np.hypot(*m) + np.hypot(*b) / 2, np.hypot(*step)
+        mean[:, open_] = m - step * np.minimum(1.0, LONGEST * largest / np.maximum(length, 1e-300))
+        last = length <= precision.short * largest
         if np.any(last):
             done = open_[last]
-            a0, a1, a2 = a0[:, last], a1[:, last], a2[:, last]
+            a1, a2, inverse = a1[:, last], a2[:, last], inverse[:, last]
             moment[:, done] = 12 * (turned[:, last] - _times(a1, step[:, last]))
-            columns = np.stack([_solve(a0, a1[:2]), _solve(a0, a1[1:])], axis=1)  # A0⁻¹ A1
-            product = np.stack([_times(a1, columns[:, 0]), _times(a1, columns[:, 1])], axis=1)
-            by_difference[:, :, done] = 12 * (np.stack([a2[:2], a2[1:]]) - product)
-            unit = np.stack([np.ones(done.size), np.zeros(done.size)])
-            by_drag[:, done] = 12 * _times(a1, _solve(a0, unit))
+            by_x, by_y = _times(a1, inverse[:2]), _times(a1, inverse[1:])  # the columns of A1 A0⁻¹
+            by_drag[:, done] = 12 * by_x
+            by_difference[:, 0, done] = 12 * (a2[:2] - by_x * a1[0] - by_y * a1[1])
+            by_difference[:, 1, done] = 12 * (a2[1:] - by_x * a1[1] - by_y * a1[2])
             open_ = open_[~last]
 
 
-def _integrals(
-    fluidity: Fluidity, m_x: Array, m_y: Array, b_x: Array, b_y: Array, size: Array, points: int, whole: bool
-) -> tuple[Array, Array]:
-    """∫ζⁱψτ for i = 0, 1, and ∫ζⁱT, T = d(ψτ)/dτ, for i = 0, 1, 2 in its components xx, xy and yy."""
+def _integrals(fluidity: Fluidity, m: Array, b: Array, points: int, whole: bool) -> tuple[Array, Array, Array, Array, Array]:
+    """∫ζⁱψτ for i = 0, 1, and ∫ζⁱT, T = d(ψτ)/dτ, for i = 0, 1, 2 in its components xx, xy and yy.
+
+    All are sums of moments of ψ and of its derivative about the cut, ζ = cut + s, where τ = τ(cut) + s b.
+    """
+    at, weights = _rule(points, whole)
+    square = b[0] * b[0] + b[1] * b[1]
     if whole:
-        place, weight = _whole()
+        cut, lengths = np.zeros(square.size), np.ones((1, 1, square.size))
     else:
-        at, share = _rule(points)
-        cut = np.clip(-(m_x * b_x + m_y * b_y) / size**2, -0.5, 0.5)
-        below, above = 0.5 + cut, 0.5 - cut
-        place = np.concatenate([cut - below * at, cut + above * at])
-        weight = np.concatenate([below * share, above * share])
-    x, y = m_x + place * b_x, m_y + place * b_y
-    square = np.maximum(x * x + y * y, 1e-300)
-    ln_psi, slope = fluidity(np.sqrt(square))
-    psi = weight * np.exp(ln_psi)
-    turn = psi * slope / square
-    along, across = turn * x, turn * y
-    integrands = np.stack([psi * x, psi * y, psi + along * x, along * y, psi + across * y])  # ψτ, then T
-    once = integrands * place
-    first = np.stack([integrands[:2].sum(1), once[:2].sum(1)])
-    return first, np.stack([integrands[2:].sum(1), once[2:].sum(1), (once[2:] * place).sum(1)])
+        cut = np.clip(-(m[0] * b[0] + m[1] * b[1]) / square, -0.5, 0.5)
+        lengths = np.stack([-0.5 - cut, 0.5 - cut])[:, None]
+    c = m + cut * b
+    s = lengths * at
+    stress = np.sqrt(np.maximum(s * (s * square + 2 * (c[0] * b[0] + c[1] * b[1])) + (c[0] * c[0] + c[1] * c[1]), LEAST**2))
+    ln_psi, slope = fluidity(stress)
+    psi = np.exp(ln_psi)
+    turn = psi * slope / (stress * stress)
+    p = weights[:3] @ psi  # shape (parts, moments, n)
+    q = weights @ turn
+    power = np.abs(lengths[:, 0])
+    for k in range(5):
+        if k < 3:
+            p[:, k] *= power
+        q[:, k] *= power
+        power = power * lengths[:, 0]
+    p, q = p.sum(0), q.sum(0)
+    cc, bb = _products(c, c), _products(b, b)
+    cb = 2 * _products(c, b)
+    one = np.array([[1.0], [0.0], [1.0]])
+    t0, t1, t2 = (one * p[k] + cc * q[k] + cb * q[k + 1] + bb * q[k + 2] for k in range(3))
+    rate, turned = c * p[0] + b * p[1], c * p[1] + b * p[2]
+    # From moments about the cut to those about the middle.
+    return rate, turned + cut * rate, t0, t1 + cut * t0, t2 + cut * (2 * t1 + cut * t0)
+
+
+def _products(a: Array, b: Array) -> Array:
+    """The components xx, xy and yy of the symmetric part of a bᵀ."""
+    return np.stack([a[0] * b[0], (a[0] * b[1] + a[1] * b[0]) / 2, a[1] * b[1]])
 
 
 def _times(matrix: Array, vector: Array) -> Array:
     """Symmetric matrices (xx, xy, yy) times vectors."""
-    xx, xy, yy = matrix
-    return np.stack([xx * vector[0] + xy * vector[1], xy * vector[0] + yy * vector[1]])
+    return matrix[:2] * vector[0] + matrix[1:] * vector[1]
 
 
-def _solve(matrix: Array, vector: Array) -> Array:
-    """Symmetric positive matrices (xx, xy, yy) by vectors; zero where the matrix is."""
-    xx, xy, yy = matrix
-    determinant = xx * yy - xy * xy
+def _inverse(matrix: Array) -> Array:
+    """The inverses of symmetric positive matrices (xx, xy, yy); zero where they are."""
+    determinant = matrix[0] * matrix[2] - matrix[1] * matrix[1]
     with np.errstate(divide="ignore", invalid="ignore"):
-        found = np.stack([yy * vector[0] - xy * vector[1], xx * vector[1] - xy * vector[0]]) / determinant
+        found = np.stack([matrix[2], -matrix[1], matrix[0]]) / determinant
     return np.where(determinant > 0, found, 0.0)

@@ -59,10 +59,10 @@ class CarreauYasudaLaw(ThinningLaw):
         if self.time == 0:
             return np.zeros_like(stress), np.zeros_like(stress)
         start, spacing, pieces = _table(self.index, self.infinite, self.transition)
-        place = (np.log(stress * self.time) - start) / spacing
-        knot = np.clip(place, 0, pieces.shape[1] - 1).astype(np.intp)
+        place = (np.log(stress) + (np.log(self.time) - start)) / spacing
+        knot = np.clip(place, 0, pieces.shape[1] - 1).astype(np.int32)
         x = place - knot
-        constant, linear, square, cube = (each[knot] for each in pieces)
+        constant, linear, square, cube = pieces.take(knot, axis=1)
         value = constant + x * (linear + x * (square + x * cube))
         return value, (linear + x * (2 * square + 3 * x * cube)) / spacing
 
