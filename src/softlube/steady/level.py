@@ -297,18 +297,11 @@ def _thinned(regime: Regime, grid: PolarGrid, history: list[Iteration]) -> Array
     def system_at(share: float) -> ContactSystem:
         return ContactSystem(replace(problem, liquid=Tempered(problem.liquid, share, 1 / regime.viscosity)), grid, regime.unit)
 
-    even = system_at(0.0)
-    if problem.substrate.memory is None:
-        guess = _first_guess(regime, even, history)
-    else:
-        constant = _at_beta(replace(problem, liquid=NewtonianLaw()), problem.parameter / regime.viscosity)
-        guess = _unknowns(Regime.of(constant), grid, None, history)
-    plain = newton(even, guess, tolerance=TOLERANCE, max_iterations=STEPS)
-    history += plain.history
+    constant = _at_beta(replace(problem, liquid=NewtonianLaw()), problem.parameter / regime.viscosity)
+    plain = _unknowns(Regime.of(constant), grid, None, history)
     result = None
-    if plain.converged:
-        for result in follow(system_at, plain.x, first_step=1.0, shortest_step=SHORTEST_SHARE):
-            history += result.history
+    for result in follow(system_at, plain, first_step=1.0, shortest_step=SHORTEST_SHARE):
+        history += result.history
     if result is None or not result.converged:
         return _settled(regime, ContactSystem(problem, grid, regime.unit), history)
     return result.x

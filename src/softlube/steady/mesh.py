@@ -26,6 +26,10 @@ narrower than the boundary layer at its edge."""
 STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.35, 1.2
 """What `Regime.steepness` adds to the mesh: by how much its zone at the edge moves outwards, over β^(−2/5); crowding at the
 sides; angular intervals and, with its square, radial spacing, both as a fraction."""
+THINS, THINNING_SIDES, THINNING_CROWDING = 0.1, 0.7, 0.6
+"""`Regime.thinning` from which on the film at the sides, where the shear rate is largest, needs a finer mesh; factor of the
+width of the mesh's zone there, and what is added to the crowding.  With three grids 19 of 36 contacts reach the usual accuracy,
+without 13 (β from 10³ to 10⁵, n = 0.7 and 0.4, shear rates over four decades)."""
 DEEP_ANGLES = 31 / 26
 """Angular intervals on a layer over the half-space's at least, in a `Regime.deep` contact, for the error that the free
 boundary leaves of the film at the sides (`softlube.steady.error_estimate`)."""
@@ -76,12 +80,16 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     octave = np.round(np.log2(beta**-0.4) - 0.2)  # a little early: too fine costs less than too coarse
     steep, rise = regime.steepness, regime.dry.substrate_rise
     edge = 1 + float(min(STEEP_SHIFT * steep * 2.0**octave, 0.25))
+    width = float(min((2.4 if regime.deep else 1.4) * 2.0 ** (octave * 0.625), 1.0))
+    crowding = (1.2 if regime.deep else 0.7) + STEEP_CROWDING * steep
+    if regime.thinning > THINS and not regime.over_gap:
+        width, crowding = THINNING_SIDES * width, crowding + THINNING_CROWDING
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
         edge_width=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25 * min(1.0, 2 / regime.dry.exponent))),
-        side_width=float(min((2.4 if regime.deep else 1.4) * 2.0 ** (octave * 0.625), 1.0)),
-        side_clustering=(1.2 if regime.deep else 0.7) + STEEP_CROWDING * steep,
+        side_width=width,
+        side_clustering=crowding,
         reach=60.0 if regime.over_gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap
         edge=edge,
     )

@@ -26,6 +26,8 @@ THICK = 2.5
 INLET_RATE = 0.5, 0.58
 """Shear rates that decide the film over the walls' mean speed over the film at the centre: of the sliding, S = 2, and of the
 pressure gradient, whose wall stress is largest where the film is twice that at the centre, 3/4, and counts by √(3/5)."""
+FASTER = 1.1
+"""Ratio of two shear rates that tell the power with which the viscosity falls."""
 FAR = 400.0
 """Square of the rim's radius over the mesh's unit of length, about, for the shear rate 2/(βr²) there; and 10⁴ times that."""
 VISCOSITY_STEPS = 60
@@ -63,6 +65,8 @@ class Regime:
     viscosity : float
         Viscosity of the liquid where the film is made, over that at rest, about; 1 for a liquid that does not thin with shear.
         β′ and all that follows from it are formed with it.
+    thinning : float
+        Power of the shear rate with which the viscosity falls there: 1 − n for a power law, 0 for constant viscosity.
     front : bool
         Whether the constriction at the sides of the contact may end in a front, as on very thin layers (docs/how-to/layers.md).
     """
@@ -75,6 +79,7 @@ class Regime:
     steepness: float
     thickening: float
     viscosity: float
+    thinning: float
     front: bool
 
     @classmethod
@@ -87,7 +92,7 @@ class Regime:
             If the dry contact on the problem's substrate is not found.
         """
         dry = _dry(problem, problem.substrate)
-        viscosity = _inlet_viscosity(problem, dry)
+        viscosity, thinning = _at_inlet(problem, dry)
         own = problem.parameter / viscosity
         beta = dry.like_hertz(own)
         pressed = dry.radius**2
@@ -113,6 +118,7 @@ class Regime:
             steepness=narrow * (1 - 1 / dry.substrate_rise),
             thickening=float(np.log(problem.liquid.viscosity(highest)[0])),
             viscosity=viscosity,
+            thinning=thinning,
             front=dry.substrate_rise > FRONT_EDGE,
         )
 
@@ -168,11 +174,11 @@ def _dry(problem: Problem, substrate: Substrate) -> DryContact:
     return dry_contact_at(substrate, indentation=1.0, indenter=problem.indenter)
 
 
-def _inlet_viscosity(problem: Problem, dry: DryContact) -> float:
-    """See `Regime.viscosity`: the viscosity makes the film, and the film the shear rate."""
-    viscosity = 1.0
+def _at_inlet(problem: Problem, dry: DryContact) -> tuple[float, float]:
+    """See `Regime.viscosity` and `Regime.thinning`: the viscosity makes the film, and the film the shear rate."""
     if not problem.liquid.thins:
-        return viscosity
+        return 1.0, 0.0
+    viscosity = faster = 1.0
     sliding, pushed = INLET_RATE
     speed = float(np.hypot(sliding * problem.slide_to_roll / 2, pushed)) / problem.parameter
     for _ in range(VISCOSITY_STEPS):
@@ -180,8 +186,8 @@ def _inlet_viscosity(problem: Problem, dry: DryContact) -> float:
         film = dry.radius**2 * dry.edge_rise * max(dry.like_hertz(own), TOUCHING / 2) ** -0.6 + max(problem.height, 0)
         if problem.load_controlled:
             film += max(_height_under_load(problem, dry, own), 0)
-        viscosity = float(viscosity_at(problem.liquid, speed / film))
-    return viscosity
+        viscosity, faster = map(float, viscosity_at(problem.liquid, np.array([1.0, FASTER]) * speed / film))
+    return viscosity, float(np.log(viscosity / faster) / np.log(FASTER))
 
 
 def _height_under_load(problem: Problem, dry: DryContact, own: float) -> float:
