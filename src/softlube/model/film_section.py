@@ -47,27 +47,24 @@ class Precision(NamedTuple):
 USUAL, EXACT = Precision(10, 1e-5), Precision(30, 1e-6)
 """Precisions: m is exact to some 1e-6 where the stress goes from a thousandth of what the liquid thins at to a thousand times
 that, and to 1e-10 (tests/model/test_film_section.py)."""
-STRAIGHT, STRAIGHT_POINTS = 0.3, 6
-"""Ratio of b to the mean stress below which ψ is smooth across the film, and Gauss's points for the whole of it then."""
 MOST_STEPS = 60
 """Steps of Newton's method at most; three are usual, and one from the mean stress of a state close by."""
 LONGEST = 0.5
 """Largest change of the mean stress in one step, over the largest stress at the place."""
 FIRST_STEPS = 3
 """Steps to the first guess of the mean stress, at one stress each."""
+BLOCK = 500
+"""Places at which ψ is taken across the film at once: with larger arrays most of the time would go into their memory."""
 LEAST = 1e-150
 """Stress that stands for none where a logarithm is taken."""
 
 
 @cache
-def _rule(points: int, whole: bool) -> tuple[Array, Array]:
-    """Places in a part of the film of unit length, in a column, and weights for the moments 0 to 4, shape (5, points).
-
-    On the whole film the places are about its middle, otherwise y² from the part's end.
-    """
+def _rule(points: int) -> tuple[Array, Array]:
+    """Places y² on a part of unit length, in a column, and their weights for the moments 0 to 4, shape (5, points)."""
     x, weight = leggauss(points)
-    place, weight = (x / 2, weight / 2) if whole else (((x + 1) / 2) ** 2, weight * (x + 1) / 2)
-    return place[:, None], weight * place ** np.arange(5)[:, None]
+    place = ((x + 1) / 2) ** 2
+    return place[:, None], weight * (x + 1) / 2 * place ** np.arange(5)[:, None]
 
 
 class Section(NamedTuple):
@@ -125,10 +122,7 @@ def film_section(
         psi, zero = np.exp(ln_psi), np.zeros(stress.size)
         mean[:, still] = stress, zero
         found.by_difference[:, :, still] = np.array([[psi * (1 + slope), zero], [zero, psi]])
-    straight = size < STRAIGHT * np.hypot(*mean)
-    for places, whole in ((straight, True), (~straight, False)):
-        at = np.flatnonzero(places & ~still)
-        _converge(liquid.fluidity_at, difference, drag, found, at, precision, whole)
+    _converge(liquid.fluidity_at, difference, drag, found, np.flatnonzero(~still), precision)
     return found
 
 
@@ -153,72 +147,71 @@ def _first_mean(liquid: Liquid, difference: Array, drag: Array) -> Array:
 
 
 def _converge(
-    fluidity: Fluidity,
-    difference: Array,
-    drag: Array,
-    found: Section,
-    open_: NDArray[np.integer],
-    precision: Precision,
-    whole: bool,
+    fluidity: Fluidity, difference: Array, drag: Array, found: Section, open_: NDArray[np.integer], precision: Precision
 ) -> None:
     """Newton's method at some places, from the mean stresses there; all is written to what is found."""
-    mean, moment, by_difference, by_drag = found
+    m, b, c = found.mean.take(open_, axis=1), difference.take(open_, axis=1), drag.take(open_)
     for _ in range(MOST_STEPS):
         if not open_.size:
             return
-        m, b = mean[:, open_], difference[:, open_]
-        rate, turned, a0, a1, a2 = _integrals(fluidity, m, b, STRAIGHT_POINTS if whole else precision.points, whole)
-        rate[0] -= drag[open_]
+        rate, turned, a0, a1, a2 = _integrals(fluidity, m, b, precision.points)
+        rate[0] -= c
         inverse = _inverse(a0)
         step = _times(inverse, rate)
         largest, length = np.hypot(*m) + np.hypot(*b) / 2, np.hypot(*step)
-        mean[:, open_] = m - step * np.minimum(1.0, LONGEST * largest / np.maximum(length, 1e-300))
+        m -= step * np.minimum(1.0, LONGEST * largest / np.maximum(length, 1e-300))
         last = length <= precision.short * largest
-        if np.any(last):
-            done = open_[last]
-            a1, a2, inverse = a1[:, last], a2[:, last], inverse[:, last]
-            moment[:, done] = 12 * (turned[:, last] - _times(a1, step[:, last]))
+        near, far = np.flatnonzero(last), np.flatnonzero(~last)
+        if near.size:
+            a1, a2, inverse = (each.take(near, axis=1) for each in (a1, a2, inverse))
             by_x, by_y = _times(a1, inverse[:2]), _times(a1, inverse[1:])  # the columns of A1 A0⁻¹
-            by_drag[:, done] = 12 * by_x
-            by_difference[:, 0, done] = 12 * (a2[:2] - by_x * a1[0] - by_y * a1[1])
-            by_difference[:, 1, done] = 12 * (a2[1:] - by_x * a1[1] - by_y * a1[2])
-            open_ = open_[~last]
+            done = open_[near]
+            found.mean[:, done] = m.take(near, axis=1)
+            found.moment[:, done] = 12 * (turned.take(near, axis=1) - _times(a1, step.take(near, axis=1)))
+            found.by_drag[:, done] = 12 * by_x
+            found.by_difference[:, 0, done] = 12 * (a2[:2] - by_x * a1[0] - by_y * a1[1])
+            found.by_difference[:, 1, done] = 12 * (a2[1:] - by_x * a1[1] - by_y * a1[2])
+            open_, m, b, c = open_[far], m.take(far, axis=1), b.take(far, axis=1), c[far]
 
 
-def _integrals(fluidity: Fluidity, m: Array, b: Array, points: int, whole: bool) -> tuple[Array, Array, Array, Array, Array]:
+def _integrals(fluidity: Fluidity, m: Array, b: Array, points: int) -> tuple[Array, Array, Array, Array, Array]:
     """∫ζⁱψτ for i = 0, 1, and ∫ζⁱT, T = d(ψτ)/dτ, for i = 0, 1, 2 in its components xx, xy and yy.
 
     All are sums of moments of ψ and of its derivative about the cut, ζ = cut + s, where τ = τ(cut) + s b.
     """
-    at, weights = _rule(points, whole)
     square = b[0] * b[0] + b[1] * b[1]
-    if whole:
-        cut, lengths = np.zeros(square.size), np.ones((1, 1, square.size))
-    else:
-        cut = np.clip(-(m[0] * b[0] + m[1] * b[1]) / square, -0.5, 0.5)
-        lengths = np.stack([-0.5 - cut, 0.5 - cut])[:, None]
+    cut = np.clip(-(m[0] * b[0] + m[1] * b[1]) / square, -0.5, 0.5)
     c = m + cut * b
-    s = lengths * at
-    stress = np.sqrt(np.maximum(s * (s * square + 2 * (c[0] * b[0] + c[1] * b[1])) + (c[0] * c[0] + c[1] * c[1]), LEAST**2))
-    ln_psi, slope = fluidity(stress)
-    psi = np.exp(ln_psi)
-    turn = psi * slope / (stress * stress)
-    p = weights[:3] @ psi  # shape (parts, moments, n)
-    q = weights @ turn
-    power = np.abs(lengths[:, 0])
-    for k in range(5):
-        if k < 3:
-            p[:, k] *= power
-        q[:, k] *= power
-        power = power * lengths[:, 0]
-    p, q = p.sum(0), q.sum(0)
-    cc, bb = _products(c, c), _products(b, b)
-    cb = 2 * _products(c, b)
-    one = np.array([[1.0], [0.0], [1.0]])
-    t0, t1, t2 = (one * p[k] + cc * q[k] + cb * q[k + 1] + bb * q[k + 2] for k in range(3))
+    p, q = _moments(fluidity, square, 2 * (c[0] * b[0] + c[1] * b[1]), c[0] * c[0] + c[1] * c[1], cut, points)
+    cc, bb, cb = _products(c, c), _products(b, b), 2 * _products(c, b)
+    t0, t1, t2 = (cc * q[k] + cb * q[k + 1] + bb * q[k + 2] for k in range(3))
+    for k, each in enumerate((t0, t1, t2)):
+        each[::2] += p[k]
     rate, turned = c * p[0] + b * p[1], c * p[1] + b * p[2]
     # From moments about the cut to those about the middle.
     return rate, turned + cut * rate, t0, t1 + cut * t0, t2 + cut * (2 * t1 + cut * t0)
+
+
+def _moments(fluidity: Fluidity, square: Array, linear: Array, constant: Array, cut: Array, points: int) -> tuple[Array, Array]:
+    """Moments 0 to 2 of ψ and 0 to 4 of dψ/dτ/τ about the cut, where τ² is a polynomial in the distance s from there."""
+    (at, weights), n = _rule(points), cut.size
+    p, q = np.zeros((3, n)), np.zeros((5, n))
+    for part in (slice(first, first + BLOCK) for first in range(0, n, BLOCK)):
+        for end in (-0.5, 0.5):
+            length = end - cut[part]
+            s = length * at
+            stress = np.sqrt(np.maximum(s * (s * square[part] + linear[part]) + constant[part], LEAST**2))
+            ln_psi, slope = fluidity(stress)
+            psi = np.exp(ln_psi)
+            turn = weights @ (psi * slope / (stress * stress))
+            power = np.abs(length)
+            for k, each in enumerate(weights[:3] @ psi):
+                p[k, part] += power * each
+                q[k, part] += power * turn[k]
+                power = power * length
+            q[3, part] += power * turn[3]
+            q[4, part] += power * length * turn[4]
+    return p, q
 
 
 def _products(a: Array, b: Array) -> Array:
