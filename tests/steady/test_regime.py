@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from softlube.model.liquids import BarusLaw
+from softlube.model.liquids import BarusLaw, CarreauYasudaLaw, NewtonianLaw, OstwaldLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import LayerKernel
 from softlube.steady.level import solve_level
@@ -48,6 +48,13 @@ def test_a_sphere_over_a_gap(problem, over_gap):
 def test_thickening_is_taken_at_the_largest_dry_pressure():
     """Ln η/η₀ = αp of a Barus liquid, and Hertz's largest pressure is 2/π² in the problem's unit."""
     assert Regime.of(Problem(beta_load=1e3, liquid=BarusLaw(20.0))).thickening == pytest.approx(20 * 2 / np.pi**2)
+
+
+def test_the_thinning_is_the_power_with_which_the_viscosity_falls_at_the_inlet():
+    rest = NewtonianLaw()
+    laws = [rest, OstwaldLaw(rest, 1.0, 0.4), CarreauYasudaLaw(rest, 1e-9, 0.4), CarreauYasudaLaw(rest, 1e9, 0.4)]
+    found = [Regime.of(Problem(beta=1e3, liquid=law)).thinning for law in laws]
+    assert found == pytest.approx([0.0, 0.6, 0.0, 0.6], abs=1e-9)
 
 
 @pytest.mark.parametrize("cavitation", ["reynolds", "none"])

@@ -1,4 +1,6 @@
-"""Contacts under liquids that thin with shear: limits, balances, order of accuracy, errors, friction of steel."""
+"""Contacts under liquids that thin with shear: limits, balances, order of accuracy, errors, time, friction of steel."""
+
+import time
 
 import numpy as np
 import pytest
@@ -78,6 +80,20 @@ def test_order_of_accuracy_without_cavitation():
     errors = [np.abs(values(n) / exact - 1) for n in sizes]
     order = -np.polyfit(np.log(sizes), np.log(errors).mean(axis=1), 1)[0]
     assert order > 3.5, (order, errors)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("relaxation", [10.0, 100.0, 1000.0])
+@pytest.mark.parametrize("ratio", [0.5, 2.0])
+def test_it_takes_at_most_four_times_as_long_as_constant_viscosity(relaxation, ratio):
+    def seconds(**given):
+        began = time.process_time()
+        softlube.solve(beta=1000, **given)
+        return time.process_time() - began
+
+    thin, plain = {"liquid": CarreauYasudaLaw(REST, relaxation, 0.5), "slide_to_roll": ratio}, {}
+    seconds(**thin), seconds(**plain)  # operators that are kept
+    assert np.median([seconds(**thin) / seconds(**plain) for _ in range(7)]) < 4
 
 
 @pytest.mark.slow
