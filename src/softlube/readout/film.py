@@ -45,7 +45,10 @@ def _gradient(solution: Solution, spline: Spline, r: ArrayLike, theta: ArrayLike
     xi, s = chart.xi_of(radius), chart.s_of(angle)
     wet = is_wet(solution, r, theta)
     by_r = spline(xi, s, dx=1, grid=False) / chart.dr_dxi(radius)
-    by_theta = spline(xi, s, dy=1, grid=False) / chart.dtheta_ds(s) / radius
+    # At the centre every angle is the same place, and what a spline makes of it there is no gradient.
+    innermost = solution.fields.r[solution.fields.mesh.centre]
+    off_centre = spline(np.zeros_like(xi), s, dy=1, grid=False) * np.maximum(1 - radius / innermost, 0.0)
+    by_theta = (spline(xi, s, dy=1, grid=False) - off_centre) / chart.dtheta_ds(s) / radius
     return np.where(wet, by_r, 0.0), np.where(wet, side * by_theta, 0.0)
 
 
