@@ -38,8 +38,8 @@ def test_at_the_centre_the_gradient_is_one_vector(plain):
     """∂p/∂x there, whatever the angle; by symmetry there is no ∂p/∂y."""
     theta = np.linspace(-3, 3, 7)
     by_r, by_theta = pressure_gradient(plain, 0.0, theta)
-    assert by_r == pytest.approx(by_r[3] * np.cos(theta), abs=2e-3 * abs(by_r[3]))
-    assert by_theta == pytest.approx(-by_r[3] * np.sin(theta), abs=2e-3 * abs(by_r[3]))
+    assert by_r == pytest.approx(by_r[3] * np.cos(theta), abs=5e-3 * abs(by_r[3]))
+    assert by_theta == pytest.approx(-by_r[3] * np.sin(theta), abs=5e-3 * abs(by_r[3]))
 
 
 def test_levels_end_on_the_walls(plain):
