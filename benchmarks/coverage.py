@@ -35,7 +35,7 @@ from softlube.model.liquids.barus import BarusLaw
 from softlube.model.liquids.roelands import RoelandsLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import QUANTITIES
-from softlube.model.substrates import LayerKernel
+from softlube.model.substrates import LayerKernel, ViscoelasticKernel
 from softlube.solvers.code_version import code_version
 from softlube.steady.error_estimate import looser, yardstick
 from softlube.steady.regime import Regime
@@ -64,6 +64,14 @@ def _layer(rng: Random, thinnest: float, thickest: float) -> dict[str, Any]:
     ratio, base = float(rng.choice([0.5, 0.5, 0.45, 0.3])), str(rng.choice(["bonded", "bonded", "frictionless"]))
     substrate = LayerKernel(_between(rng, thinnest, thickest), ratio, base)  # type: ignore[arg-type]
     return _half_space(rng, 10, 1e4) | {"substrate": substrate}
+
+
+def _remembering(rng: Random) -> dict[str, Any]:
+    """A modulus that falls by a factor of 1.2 to 10, in one to four times."""
+    terms = int(rng.integers(1, 5))
+    parts = rng.dirichlet(np.ones(terms)) * (1 - 1 / _between(rng, 1.2, 10))
+    lengths = [_between(rng, 0.03, 30) for _ in parts]
+    return _half_space(rng, 10, 1e5) | {"substrate": ViscoelasticKernel(tuple(parts.tolist()), tuple(lengths))}
 
 
 def _barus(rng: Random) -> dict[str, Any]:
@@ -99,9 +107,10 @@ INDENTERS: dict[str, Callable[[Random], dict[str, Any]]] = {
     "true sphere": lambda rng: _shaped(rng, SphereShape(0.3**2, 1.0)),
     "punch": lambda rng: _shaped(rng, RoundedPunchShape(0.1, 1.0, face := rng.uniform(0.1, 0.3), 0.4 * face)),
 }
-STEADY = HALF_SPACES_AND_LAYERS | INDENTERS
+MEMORIES: dict[str, Callable[[Random], dict[str, Any]]] = {"remembers": _remembering}
+STEADY = HALF_SPACES_AND_LAYERS | INDENTERS | MEMORIES
 TRANSIENT = ("squeeze", "start of sliding")
-KINDS = (*HALF_SPACES_AND_LAYERS, *TRANSIENT, *INDENTERS)
+KINDS = (*HALF_SPACES_AND_LAYERS, *TRANSIENT, *INDENTERS, *MEMORIES)
 
 
 def steady_problem(kind: str, rng: Random, case: int) -> Problem:

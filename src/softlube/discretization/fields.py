@@ -228,7 +228,7 @@ class Fields:
             If it remembers nothing.
         """
         if self.recovery is None:
-            raise InputError("solution: its substrate is elastic, or it was read from a file, which does not keep this")
+            raise InputError("solution: its substrate is elastic and remembers nothing")
         return self._spline(self.recovery)
 
     def _place(self, r: ArrayLike, theta: ArrayLike) -> tuple[Array, Array]:
@@ -251,6 +251,11 @@ class Fields:
         """ū at polar coordinates (broadcast)."""
         xi, s = self._place(r, theta)
         return self.film_spline(xi, s, grid=False)
+
+    def recovery_at(self, r: ArrayLike, theta: ArrayLike) -> Array:
+        """Slope of the surface by what the substrate remembers at polar coordinates (broadcast); see `recovery_spline`."""
+        xi, s = self._place(r, theta)
+        return self.recovery_spline(xi, s, grid=False)
 
     def film_on(self, at: Places) -> Array:
         """ū at places."""

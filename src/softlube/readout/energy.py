@@ -8,6 +8,8 @@ the friction, C − P, the liquid's energy balance is
 work of the walls and of the pressure on the film's edge = dissipation.  A Kelvin-Voigt element of the substrate, of compliance
 Jᵢ and length Lᵢ, loses −Jᵢ Lᵢ ∫(∂pᵢ/∂x)(∂wᵢ/∂x) dA over the whole plane, where pᵢ and wᵢ are the pressure and the elastic
 displacement as it remembers them; together they lose the hysteresis part of the friction.
+
+Maps of both are per area, in units of (2π/3) G h₀/R times the sliding speed.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from softlube.discretization.fields import Places
 from softlube.discretization.grid import PolarGrid
@@ -24,6 +26,8 @@ from softlube.discretization.measure import friction_parts, hysteresis_friction,
 from softlube.discretization.memory import memory_operator
 from softlube.discretization.system import ContactSystem
 from softlube.errors import InputError
+from softlube.readout.film import pressure_gradient
+from softlube.readout.flow import mean_velocity, shear_stress
 from softlube.steady.solution import Solution
 
 Array = NDArray[np.floating]
@@ -133,3 +137,50 @@ def _loss(pressure: Array, height: float, system: ContactSystem) -> float:
         strained, recovered = (average @ each - each for each in (pressed, deflected))
         total += share / length * float(system.elastic.load_weights @ (strained * recovered))
     return 6 * total
+
+
+def film_dissipation(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Array:
+    """Dissipation in the liquid per area, for every liquid; over a disc it sums up to `EnergyBalance.film`.
+
+    In the frame of the substrate the stress on the sphere works on the film, and the pressure on the flux q through it:
+    τ_zx V − ∇p·q, which is η V²/u + u³|∇p|²/(12η) for a constant viscosity.  Behind the free boundary the gap counts as full.
+
+    Parameters
+    ----------
+    solution : Solution
+        Where the liquid flows.
+    r, theta : array_like
+        Polar coordinates, θ = 0 at the inlet; broadcast.
+    """
+    fields = solution.fields
+    shear, _ = shear_stress(solution, r, theta, level=1.0)
+    film = fields.film_at(r, theta)
+    pushed = sum(
+        slope * along * film
+        for slope, along in zip(
+            pressure_gradient(solution, r, theta), mean_velocity(solution, r, theta, frame="substrate"), strict=True
+        )
+    )
+    return shear * fields.slide_to_roll / 2 / fields.beta - 6 * pushed
+
+
+def surface_work(solution: Solution, r: ArrayLike, theta: ArrayLike) -> Array:
+    """Work of the pressure on a substrate that remembers per area, 6p ∂w/∂x; over the whole plane it sums up to its loss.
+
+    Positive where the substrate takes work, negative where it gives some back.  Only the part of the slope counts that it owes
+    to its memory: what an elastic half-space takes in front it gives back behind, and nothing is lost.
+
+    Parameters
+    ----------
+    solution : Solution
+        On a substrate that remembers.
+    r, theta : array_like
+        Polar coordinates, θ = 0 at the inlet; broadcast.
+
+    Raises
+    ------
+    InputError
+        If the substrate is elastic.
+    """
+    fields = solution.fields
+    return 6 * fields.pressure_at(r, theta) * fields.recovery_at(r, theta)

@@ -42,8 +42,9 @@ BLURRED_BETA, SKETCH_ANGLES = 50.0, 9
 """β′ up to which a contact on a substrate that remembers is solved from the first guess, and angular intervals of its sketch.
 
 There the film is so thick that the contact's edge, whose place nobody knows beforehand, is broader than the cells."""
-BETA_STEP = 4.0
-"""Factor of β in the march from there."""
+BETA_STEP, SHORTEST_BETA_STEP, BETA_GROWTH = 4.0, 1.1, 1.5
+"""Factors of β in the march from there: the largest, the least before it gives up, and what it grows by after a step that did;
+after one that did not its logarithm is halved.  A secant through the last two films is a worse start than the last one."""
 FIRST_TIME, SHORTEST_TIME, LONGEST_TIME = 0.1, 1e-4, 300.0
 """Time steps over β of the film that settles: the first, the shortest before it gives up, and the length beyond which the
 state is the steady one.  Liquid takes about 2β to pass through the contact."""
@@ -215,13 +216,13 @@ def sketch(problem: Problem) -> Solved:
     x = newton(system, system.start(regime.first_height / system.scale), tolerance=TOLERANCE, max_iterations=STEPS)
     if not x.converged:
         raise _not_converged(regime, grid, x.history)
-    sketched = _drawn(faster, grid, regime.unit, x.x)
+    sketched = _drawn(system, x.x)
     fitted = grid_for(target, SKETCH_ANGLES, [lambda plain: with_trail(plain, sketched.fields, target.unit)])
     return _marched(target, fitted, sketched, history)[0]
 
 
-def _drawn(problem: Problem, grid: PolarGrid, unit: float, x: Array) -> Solved:
-    return Solved(Level(grid.n_r, grid.n_theta, {}, (), 0.0), ContactSystem(problem, grid, unit).fields(x), x, grid)
+def _drawn(system: ContactSystem, x: Array) -> Solved:
+    return Solved(Level(system.grid.n_r, system.grid.n_theta, {}, (), 0.0), system.fields(x), x, system.grid)
 
 
 def _at_beta(problem: Problem, beta: float) -> Problem:
@@ -238,16 +239,21 @@ def _marched(regime: Regime, grid: PolarGrid, start: Solved, history: list[Itera
     if problem.load_controlled:
         scaled[-1] *= unit
     x, beta, reached = prolong(scaled, start.grid.scaled(unit), grid, regime), start.fields.beta, start
+    there, factor = beta, BETA_STEP
     while True:
-        there = _at_beta(problem, beta)
-        result = newton(ContactSystem(there, grid, regime.unit), x, tolerance=TOLERANCE, max_iterations=STEPS)
+        system = ContactSystem(_at_beta(problem, there), grid, regime.unit)
+        result = newton(system, x, tolerance=TOLERANCE, max_iterations=STEPS)
         history += result.history
-        if not result.converged:
+        if result.converged:
+            x, beta, reached = result.x, there, _drawn(system, result.x)
+            if beta == problem.parameter:
+                return reached, True
+            factor = min(BETA_GROWTH * factor, BETA_STEP)
+        elif there == start.fields.beta or factor < SHORTEST_BETA_STEP:
             return reached, False
-        x, reached = result.x, _drawn(there, grid, regime.unit, result.x)
-        if beta == problem.parameter:
-            return reached, True
-        beta = min(BETA_STEP * beta, problem.parameter)
+        else:
+            factor **= 0.5
+        there = min(factor * beta, problem.parameter)
 
 
 def _first_guess(regime: Regime, system: ContactSystem, history: list[Iteration]) -> Array:
