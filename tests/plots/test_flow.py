@@ -47,3 +47,19 @@ def test_units_of_a_physical_contact(physical):
 def test_a_level_outside_the_film_is_refused(solution):
     with pytest.raises(softlube.InputError, match="level: expected a share of the film"):
         picture(solution, level=-0.1)
+
+
+def test_a_substrate_that_remembers_has_maps_of_what_is_lost():
+    contact = softlube.Contact(
+        radius="2 mm", young_modulus="3 MPa", prony=[("6 MPa", "0.2 s")], viscosity="2 Pa s", speed="1 mm/s", load="100 mN"
+    )
+    solution = contact.solve(accuracy=3e-3)
+    figure, tables = picture(solution)
+    assert list(tables)[-2:] == ["film-loss", "substrate-work"]
+    work = tables["substrate-work"]
+    x, _, density = work.values()
+    # On an even grid, the sum is the friction of the substrate to the width of its cells.
+    cell = (x[1] - x[0]) ** 2
+    assert np.sum(density) * cell == pytest.approx(solution.friction_hysteresis, rel=0.02)
+    labels = [ax.get_xlabel() + ax.get_title() for ax in figure.axes]
+    assert sum("[W/m²]" in label for label in labels) == 2

@@ -13,7 +13,7 @@ harmonics of the displacement fall like those of a potential, r^(−m−1).
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -27,17 +27,20 @@ from softlube.discretization.reynolds import Sparse
 
 Array = NDArray[np.floating]
 Index = NDArray[np.intp]
+Mask = NDArray[np.bool_]
 
 FORGOTTEN = 40.0
 """Times after which e^(−s) is nothing."""
 NEGLIGIBLE = 1e-12
 """Entries of the matrix that are left out; its rows sum to about one."""
-BLOCK = 1_000_000
-"""Entries of the matrix, zeros included, that are summed at a time."""
-CUBIC = np.arange(4)
+ROWS = 512
+"""Rows of the matrix that are summed at a time."""
+CUBIC = np.arange(4, dtype=np.int32)
 """Nodes of a cubic."""
 SHORT = 3.0
 """Length over L of an interval up to which Gauss's quadrature takes its integrals; beyond, integration by parts is exact."""
+GAUSS = leggauss(8)
+"""Its points and weights."""
 AHEAD_HARMONICS, AHEAD_POINTS, AHEAD_DEGREE = 6, 64, 24
 """Harmonics of the displacement that are followed ahead of the mesh, quadrature points, and degree in the angle."""
 
@@ -77,25 +80,29 @@ def memory_operator(grid: PolarGrid, shares: tuple[float, ...], lengths: tuple[f
     share, length = np.array(shares)[kept], np.array(lengths)[kept]
     n = grid.shape[0] * grid.shape[1]
     blocks = []
-    analysis = angular_transform(grid)[1][:AHEAD_HARMONICS]
-    for rows in np.array_split(np.arange(n), -(-n * n // BLOCK)):
+    ahead = [_ahead(grid, each) for each in length]
+    beyond = np.zeros((AHEAD_HARMONICS, n))
+    beyond[:, n - grid.shape[1] :] = angular_transform(grid)[1][:AHEAD_HARMONICS]
+    for rows in np.array_split(np.arange(n), -(-n // ROWS)):
         lines = _Lines.from_nodes(grid, rows, FORGOTTEN * float(np.max(length)))
-        gradient = lines.gradient
-        along, ahead = np.zeros((2, *lines.x.shape)), np.zeros((2, rows.size, len(analysis)))
-        for j, each in zip(share, length, strict=True):
-            weight, beyond = lines.weights(each)
-            tail = beyond[:, None] * _ahead(grid, each, lines.exit_angle)
-            for number, factor in enumerate((j, j / each)):
-                along[number] += factor * weight
-                ahead[number] += factor * tail
-            along[1] -= j / (1 + each) * gradient
-        column, cubic = _interpolation(grid, lines)
-        place = (np.arange(rows.size)[:, None, None] * n + column).ravel()
-        for weight, tail in zip(along, ahead, strict=True):
-            dense = np.bincount(place, (weight[..., None] * cubic).ravel(), rows.size * n).reshape(rows.size, n)
-            dense[:, n - grid.shape[1] :] += tail @ analysis
-            dense[np.abs(dense) < NEGLIGIBLE] = 0
-            blocks.append(Sparse(dense))
+        leaving = chebyshev.chebvander(4 / np.pi * lines.exit_angle - 1, AHEAD_DEGREE)
+        weights = np.zeros((2, rows.size, lines.x.shape[1] + AHEAD_HARMONICS))  # of the points, and of the harmonics ahead
+        for j, each, series in zip(share, length, ahead, strict=True):
+            weight, left = lines.weights(each)
+            weight = np.concatenate([weight, left[:, None] * (leaving @ series)], axis=1)
+            weights += np.array([j, j / each])[:, None, None] * weight
+            weights[1, :, :-AHEAD_HARMONICS] -= j / (1 + each) * lines.gradient
+        own = np.concatenate([lines.own, np.ones((rows.size, AHEAD_HARMONICS), dtype=bool)], axis=1)
+        place = np.zeros(own.shape, dtype=np.intp)
+        place[:, :-AHEAD_HARMONICS][lines.own] = np.arange(np.count_nonzero(lines.own))
+        place[:, -AHEAD_HARMONICS:] = np.count_nonzero(lines.own) + np.arange(AHEAD_HARMONICS)
+        values = sparse.vstack([_interpolation(grid, lines), Sparse(beyond)])
+        pointers = np.append(0, np.cumsum(np.count_nonzero(own, axis=1)))
+        for weight in weights:
+            block = Sparse((weight[own], place[own], pointers), (rows.size, values.shape[0])) @ values
+            block.data[np.abs(block.data) < NEGLIGIBLE] = 0
+            block.eliminate_zeros()
+            blocks.append(block)
     matrix, slope = (Sparse(sparse.vstack(blocks[number::2])) for number in (0, 1))
     rest = 1 - float(np.sum(share))
     diagonal = sparse.eye_array(n)
@@ -160,7 +167,12 @@ class _Lines:
         x = np.concatenate([np.where(behind, last, start)[:, None], x], axis=1)
         return cls(y, x, behind.astype(np.intp), intervals, np.arcsin(np.clip(y / rim, 0, 1)))
 
-    @property
+    @cached_property
+    def own(self) -> Mask:
+        """Which of the points are its own, shape (rows, points)."""
+        return np.arange(self.x.shape[1]) < np.where(self.intervals > 0, self.intervals + 2, 0)[:, None]
+
+    @cached_property
     def gradient(self) -> Array:
         """Weights of the points in ∂wₑ/∂x at the node; none where a line leaves the mesh at once."""
         result = np.zeros_like(self.x)
@@ -178,19 +190,19 @@ class _Lines:
         n_rows, n_points = self.x.shape
         result = np.zeros((n_rows, n_points))
         origin, ahead = self.x[:, 1], self.x[:, 1:-1]
-        own = np.arange(ahead.shape[1]) < self.intervals[:, None]
-        row, interval = np.nonzero(own & ((ahead - origin[:, None]) < FORGOTTEN * length))
+        inside = np.arange(ahead.shape[1]) < self.intervals[:, None]
+        row, interval = np.nonzero(inside & ((ahead - origin[:, None]) < FORGOTTEN * length))
         low, width = ahead[row, interval], self.x[row, interval + 2] - ahead[row, interval]
         first = np.clip(interval, 1 - self.behind[row], self.intervals[row] - 2)
         knots = (self.x[row[:, None], first[:, None] + CUBIC] - low[:, None]) / width[:, None]
         moments = _moments(width / length) * np.exp(-(low - origin[row]) / length)
         place = row * n_points + first
         for node in CUBIC:
-            others = np.delete(knots, node, axis=1).T
-            below = np.prod(knots[:, node] - others, axis=0)
-            pairs = others[0] * others[1] + others[0] * others[2] + others[1] * others[2]
-            terms = moments[3] - others.sum(axis=0) * moments[2] + pairs * moments[1] - np.prod(others, axis=0) * moments[0]
-            result += np.bincount(place + node, terms / below, result.size).reshape(result.shape)
+            a, b, c = np.delete(knots, node, axis=1).T
+            own = knots[:, node]
+            terms = moments[3] - (a + b + c) * moments[2] + (a * b + a * c + b * c) * moments[1] - a * b * c * moments[0]
+            terms /= (own - a) * (own - b) * (own - c)
+            result += np.bincount(place + node, terms, result.size).reshape(result.shape)
         return result, np.exp(-(self.x[:, -1] - origin) / length)
 
 
@@ -207,7 +219,7 @@ def _moments(length: Array) -> Array:
     """ε∫₀¹ e^(−ετ) τ^k dτ for k = 0 … 3 and some ε, shape (4, …)."""
     result = np.empty((4, length.size))
     short = length < SHORT
-    x, weight = leggauss(8)
+    x, weight = GAUSS
     tau = (x + 1) / 2
     within = length[short, None]
     decay = within * np.exp(-within * tau) * weight / 2
@@ -220,23 +232,23 @@ def _moments(length: Array) -> Array:
     return result
 
 
-def _interpolation(grid: PolarGrid, lines: _Lines) -> tuple[Index, Array]:
-    """Nodes and weights of bicubic interpolation to the points of some lines, each of shape (rows, points, 16)."""
-    y = lines.y[:, None]
+def _interpolation(grid: PolarGrid, lines: _Lines) -> Sparse:
+    """Bicubic interpolation from the nodes to the own points of some lines, one line after the other, shape (points, n)."""
     n_rings, n_angles = grid.shape
-    across = grid.xi_of(np.hypot(lines.x, y)) / grid.d_xi - 0.5
-    along = grid.s_of(np.arctan2(np.broadcast_to(y, lines.x.shape), lines.x)) / grid.d_s
-    ring = np.minimum(np.floor(across).astype(np.intp) - 1, n_rings - 4)
-    angle = np.floor(along).astype(np.intp) - 1
+    x, y = lines.x[lines.own], np.broadcast_to(lines.y[:, None], lines.x.shape)[lines.own]
+    across = grid.xi_of(np.hypot(x, y)) / grid.d_xi - 0.5
+    along = grid.s_of(np.arctan2(y, x)) / grid.d_s
+    ring = np.minimum(np.floor(across).astype(np.int32) - 1, n_rings - 4)
+    angle = np.floor(along).astype(np.int32) - 1
     over_ring, over_angle = _cubic(across - ring), _cubic(along - angle)
-    ring, angle = ring[..., None] + CUBIC, angle[..., None] + CUBIC
+    ring, angle = ring[:, None] + CUBIC, angle[:, None] + CUBIC
     angle = np.abs(angle)
     angle = np.where(angle >= n_angles, 2 * (n_angles - 1) - angle, angle)
-    opposite = ring[..., None] < 0  # beyond the centre
-    node = np.where(opposite, -1 - ring[..., None], ring[..., None]) * n_angles
-    node = node + np.where(opposite, n_angles - 1 - angle[..., None, :], angle[..., None, :])
-    weight = over_ring[..., :, None] * over_angle[..., None, :]
-    return node.reshape(*lines.x.shape, 16), weight.reshape(*lines.x.shape, 16)
+    opposite = ring[:, :, None] < 0  # beyond the centre
+    node = np.where(opposite, -1 - ring[:, :, None], ring[:, :, None]) * n_angles
+    node = node + np.where(opposite, n_angles - 1 - angle[:, None, :], angle[:, None, :])
+    weight = over_ring[:, :, None] * over_angle[:, None, :]
+    return Sparse((weight.ravel(), node.ravel(), np.arange(0, 16 * x.size + 1, 16)), (x.size, n_rings * n_angles))
 
 
 def _cubic(t: Array) -> Array:
@@ -245,8 +257,14 @@ def _cubic(t: Array) -> Array:
     return np.stack([-a * b * c / 6, t * b * c / 2, -t * a * c / 2, t * a * b / 6], axis=-1)
 
 
-def _ahead(grid: PolarGrid, length: float, angle: Array) -> Array:
-    """∫₀^∞ e^(−s) (R/r)^(m+1) cos mθ ds along lines that leave a mesh of radius R under some angles, shape (angles, m)."""
+def _ahead(grid: PolarGrid, length: float) -> Array:
+    """∫₀^∞ e^(−s) (R/r)^(m+1) cos mθ ds along lines that leave a mesh of radius R, over the angle under which they do.
+
+    Returns
+    -------
+    ndarray, shape (degree + 1, m)
+        Chebyshev series in the angle from 0 to π/2.
+    """
     rim = grid.r[-1]
     x, weight = leggauss(AHEAD_POINTS)
     top = np.log1p(FORGOTTEN * length / rim)
@@ -259,6 +277,4 @@ def _ahead(grid: PolarGrid, length: float, angle: Array) -> Array:
     waves = (rim / place[..., None]) ** (order + 1)
     # (R/z)^(m+1) has the magnitude wanted, and turns by one angle too many.
     harmonics = (waves * (place / np.abs(place))[..., None]).real
-    values = np.einsum("aqm,q->am", harmonics, decay)
-    series = chebyshev.chebfit(4 / np.pi * leaving - 1, values, AHEAD_DEGREE)
-    return chebyshev.chebvander(4 / np.pi * angle - 1, AHEAD_DEGREE) @ series
+    return chebyshev.chebfit(4 / np.pi * leaving - 1, np.einsum("aqm,q->am", harmonics, decay), AHEAD_DEGREE)

@@ -11,6 +11,7 @@ from softlube.errors import InputError
 from softlube.model.motions import FIXED_BALL
 from softlube.plots.solution import FILM_COLOUR, PRESSURE_COLOUR, STYLE, over_unit
 from softlube.readout import flow
+from softlube.readout.energy import film_dissipation, surface_work
 from softlube.readout.free_boundary import free_boundary, is_wet
 from softlube.steady.solution import Solution
 
@@ -177,6 +178,49 @@ def thinned(ax: Axes, solution: Solution, what: str, *, length: float = 1.0, uni
     return {"x [sqrt(R|h0|)]": x[thin].ravel(), "y [sqrt(R|h0|)]": y[thin].ravel(), column: values[thin].ravel()}
 
 
+def lost(ax: Axes, solution: Solution, where: str, *, length: float = 1.0, unit: str = LENGTH) -> Columns:
+    """Dissipation in the liquid ("film") or work that the surface takes ("substrate") per area, in the plane.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+        Where to draw.
+    solution : Solution
+        What to draw.
+    where : {"film", "substrate"}
+        Which of the two, see `softlube.readout.energy.film_dissipation` and `softlube.readout.energy.surface_work`.
+    length, unit : float, str
+        See `plane`.
+    """
+    side = np.linspace(-REACH, REACH, 161)
+    x, y = np.meshgrid(side, side)
+    r, theta, contact = np.hypot(x, y), np.arctan2(y, x), solution.contact
+    if where == "film":
+        values = film_dissipation(solution, r, theta)
+    else:  # the surface passes at its own speed if the ball turns
+        values = surface_work(solution, r, theta) * (0.5 + solution.fields.slide_to_roll / 4)
+    if contact is None:
+        name = r"\delta" if solution.problem.load_controlled else "|h_0|"
+        scale, label = 1.0, rf"$/\,((2\pi/3)\,G v {name}/R)$"
+    else:
+        force, _ = contact.scales(contact.unit_height)["friction"]
+        scale, label = force * contact.speed_sum / contact.unit_length**2, "[W/m²]"
+    # A few places with a film far thinner than elsewhere would leave the rest without colours.
+    highest = float(np.percentile(np.abs(values), 99.8)) * scale
+    levels = np.linspace(0.0 if where == "film" else -highest, highest, 25)
+    colours = "cividis" if where == "film" else "RdBu_r"
+    mesh = ax.contourf(x * length, y * length, values * scale, levels=levels, cmap=colours, extend="both")
+    mesh.set_edgecolor("face")
+    what = "loss in the liquid" if where == "film" else "work taken by the substrate"
+    bar = ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.8, label=f"{what} {label}", pad=0.03)
+    bar.ax.locator_params(axis="x", nbins=5)
+    ax.set(aspect="equal", xlabel=rf"$x{unit}$", ylabel=rf"$y{unit}$")
+    inlet_right(ax)
+    thin = np.s_[::4, ::4]
+    column = f"{'dissipation' if where == 'film' else 'work'} per area [(2 pi/3) G v |h0|/R]"
+    return {"x [sqrt(R|h0|)]": x[thin].ravel(), "y [sqrt(R|h0|)]": y[thin].ravel(), column: values[thin].ravel()}
+
+
 def walls(ax: Axes, solution: Solution, axis: str, *, length: float = 1.0, unit: str = LENGTH) -> Columns:
     """Shear stress τ_zx on both walls along x or y; in SI if the solution is of a physical contact."""
     place = np.unique(
@@ -227,7 +271,8 @@ def _length_scale(solution: Solution) -> tuple[float, str]:
 def picture(solution: Solution, *, level: float | None = None) -> tuple[Figure, dict[str, Columns]]:
     """Flow in the gap in four panels: streamlines in the plane and in the mid-plane, wall shear along x and along y.
 
-    Two more show the shear rate and the viscosity at the walls if the liquid thins with shear.
+    Two more show the shear rate and the viscosity at the walls if the liquid thins with shear, and two what is lost in the
+    liquid and taken by the surface if the substrate remembers.
 
     Parameters
     ----------
@@ -257,11 +302,13 @@ def picture(solution: Solution, *, level: float | None = None) -> tuple[Figure, 
             f"slide_to_roll: velocities and stresses are drawn for a ball that does not turn, {FIXED_BALL:g}; got "
             f"{solution.contact.slide_to_roll:g}, which changes neither film nor pressure: softlube solve --plot draws those"
         )
+    remembers = solution.problem.substrate.memory is not None
     length, unit = _length_scale(solution)
+    rows = 2 + thins + remembers
     with mpl.rc_context(STYLE):
-        figure = Figure(figsize=(6.9, 9.4 if thins else 6.2), layout="constrained")
+        figure = Figure(figsize=(6.9, 3.2 * rows - 0.2 * (rows == 2 or not remembers)), layout="constrained")
         FigureCanvasAgg(figure)
-        axes = figure.subplots(2 + thins, 2, height_ratios=(1.25, 1, 1.25)[: 2 + thins])
+        axes = figure.subplots(rows, 2, height_ratios=(1.25, 1, 1.25, 1.25)[:rows])
         tables = {
             "plane": plane(axes[0, 0], solution, level=level, length=length, unit=unit),
             "section": section(axes[0, 1], solution, length=length, unit=unit),
@@ -271,7 +318,10 @@ def picture(solution: Solution, *, level: float | None = None) -> tuple[Figure, 
         if thins:
             tables["shear-rate"] = thinned(axes[2, 0], solution, "rate", length=length, unit=unit)
             tables["viscosity"] = thinned(axes[2, 1], solution, "viscosity", length=length, unit=unit)
-        for letter, ax in zip("abcdef"[: axes.size], axes.flat, strict=True):
+        if remembers:
+            tables["film-loss"] = lost(axes[-1, 0], solution, "film", length=length, unit=unit)
+            tables["substrate-work"] = lost(axes[-1, 1], solution, "substrate", length=length, unit=unit)
+        for letter, ax in zip("abcdefgh"[: axes.size], axes.flat, strict=True):
             ax.set_title(f"({letter})", loc="left")
         figure.canvas.draw()
     return figure, tables
