@@ -64,6 +64,14 @@ def test_fast_sliding():
         assert found.friction_coefficient == pytest.approx(leading * (1 - next_term), rel=2e-3)
 
 
+@pytest.mark.parametrize(("length", "measured"), [(0.02, 0.981), (50.0, 0.906)])
+def test_next_terms_where_the_modulus_halves(length, measured):
+    """μ over the first term, in the table of docs/theory/viscoelastic.md."""
+    found = dry_sliding(ViscoelasticKernel((0.5,), (length,)))
+    first = 0.5 * length if length < 1 else 0.8 / length
+    assert found.friction_coefficient / first == pytest.approx(measured, abs=1e-3)
+
+
 def test_it_is_the_limit_of_lubricated_contacts():
     """The film adds to the hysteresis what goes like β^(−3/5)."""
     kernel = ViscoelasticKernel((0.5,), (1.0,))
