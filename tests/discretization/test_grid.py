@@ -12,6 +12,7 @@ GRIDS = [
     PolarGrid(30, 12, side_width=1.0, edge=1.7),
     PolarGrid(80, 12, edge_width=0.02, crest=0.9),
     PolarGrid(80, 12, crest=0.1, edge=1.7),
+    PolarGrid(80, 12, edge_width=0.02, core=0.05, edge=0.7),
 ]
 
 
@@ -67,6 +68,12 @@ def test_a_crest_has_fine_cells():
     assert width[np.argmin(np.abs(r - 0.6))] < width[np.argmin(np.abs(r - 1.0))] / 1.5
 
 
+def test_a_core_has_fine_cells_and_adds_none_far_outside():
+    plain, fine = PolarGrid(90, 24), PolarGrid(90, 24, core=0.1)
+    assert fine.dr_dxi(0.0) < 0.2 * plain.dr_dxi(0.0)
+    assert fine.dr_dxi(15.0) == pytest.approx(plain.dr_dxi(15.0), rel=0.02)
+
+
 def test_edge_has_the_finest_cells_and_scales():
     grid = PolarGrid(60, 24, edge_width=0.02)
     width = np.diff(grid.r_face)
@@ -76,7 +83,17 @@ def test_edge_has_the_finest_cells_and_scales():
 
 @pytest.mark.parametrize(
     "bad",
-    [{"n_r": 3}, {"n_theta": 2}, {"edge_width": 0.0}, {"side_width": 0.0}, {"reach": 0.5}, {"edge": -1.0}, {"crest": -0.1}],
+    [
+        {"n_r": 3},
+        {"n_theta": 2},
+        {"edge_width": 0.0},
+        {"side_width": 0.0},
+        {"reach": 0.5},
+        {"edge": -1.0},
+        {"crest": -0.1},
+        {"core": 0.0},
+        {"core": 3.0},
+    ],
 )
 def test_impossible_grids_are_refused(bad):
     with pytest.raises(ValueError, match="polar grid needs"):

@@ -1,5 +1,7 @@
 """Indenters: dry contacts against closed forms, solved contacts against finer grids, and at what cost."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,8 @@ from softlube.model.dry import dry_contact
 from softlube.model.indenters import Paraboloid, PowerShape, RoundedConeShape, RoundedPunchShape, SphereShape
 from softlube.model.problem import Problem
 from softlube.model.substrates import HalfSpaceKernel
+from softlube.steady.level import solve_level
+from softlube.steady.mesh import grid_for
 from softlube.steady.regime import Regime
 
 A = 0.9
@@ -90,6 +94,7 @@ LUBRICATED = {
     "sphere, a/R = 0.3": SphereShape(0.09, 1.0),
     "punch": RoundedPunchShape(0.1, 1.0, 0.3, 0.12),
 }
+NARROW_FACE = RoundedPunchShape(0.1, 1.0, 0.1, 0.04)
 
 
 def like(effective, shape):
@@ -118,3 +123,21 @@ def test_it_takes_the_grids_of_a_paraboloid(name):
         plain, other = (softlube.solve(beta=like(effective, each), indenter=each).levels[-1] for each in (Paraboloid(), shape))
         assert other.n_theta == plain.n_theta
         assert other.n_r <= 1.3 * plain.n_r
+
+
+def test_a_face_a_quarter_as_wide_as_its_contact_takes_no_more_grids():
+    """It took the fifth grid before the mesh was refined about the centre."""
+    plain, other = (softlube.solve(beta=like(300.0, each), indenter=each).levels for each in (Paraboloid(), NARROW_FACE))
+    assert len(other) == len(plain)
+
+
+def test_the_load_of_a_cone_does_not_depend_on_where_the_mesh_ends():
+    """Its far pressure falls like 1/r up to the base, so that the rim has to lie beyond."""
+    cone = RoundedConeShape(0.09, 1.0, 0.15, 30.0)
+    regime = Regime.of(Problem(beta=300.0, indenter=cone))
+    grid = grid_for(regime, 17)
+    wider = replace(grid, reach=3 * grid.reach)
+    wider = wider.resized(int(wider.xi_of(wider.reach) / grid.d_xi), 17)
+    near, far = (solve_level(regime, each).level.values for each in (grid, wider))
+    assert near["load"] == pytest.approx(far["load"], rel=1e-4)
+    assert near["boundary_layer"] == pytest.approx(far["boundary_layer"], rel=1e-3)

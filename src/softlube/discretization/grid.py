@@ -32,8 +32,9 @@ class PolarGrid:
 
     Radially, with ρ = r/`edge` and d = `edge_width`, ξ(r) = asinh((ρ − 1)/d) + asinh((ρ + 1)/d) − 0.8 asinh(ρ/2): cells are
     about d wide (over `edge`, in units of Δξ) at the contact edge and grow in proportion to the distance from it, faster far
-    outside where the pressure is a power of r.  A `crest` adds a second zone of the same kind.  ξ is odd in r, so the mesh
-    continues smoothly through the centre to the opposite side, (−r, θ) = (r, π − θ).
+    outside where the pressure is a power of r.  A `crest` adds a second zone of the same kind, and a `core` one about the
+    centre, asinh(ρ/core) − asinh(ρ/2), which adds nothing far outside.  ξ is odd in r, so the mesh continues smoothly through
+    the centre to the opposite side, (−r, θ) = (r, π − θ).
 
     Angularly, ds/dθ ∝ 1 + c/√(w² + cos²θ) with w = `side_width` and c = `side_clustering`: intervals shrink in proportion to
     the distance from 90°, down to a zone of angle w around it.  The number of angles that it takes to resolve a narrow feature
@@ -59,6 +60,8 @@ class PolarGrid:
         Width of the refined zone there, relative to `edge`.
     thinning : float
         Coefficient of the last term of ξ(r), by which the mesh is thinned beyond the contact.
+    core : float
+        Width of the refined zone about the centre, relative to `edge`; `WIDE` for none.
     """
 
     n_r: int
@@ -71,12 +74,15 @@ class PolarGrid:
     crest: float = 0.0
     crest_width: float = 0.05
     thinning: float = THINNING
+    core: float = WIDE
 
     def __post_init__(self) -> None:
         if self.n_r < 8 or self.n_theta < 6:
             raise ValueError(f"a polar grid needs n_r >= 8 and n_theta >= 6, not {self.n_r} x {self.n_theta}")
         if not min(self.edge_width, self.side_width, self.side_clustering, self.reach - 1, self.edge, self.crest_width) > 0:
             raise ValueError("a polar grid needs widths > 0, side_clustering > 0, reach > 1 and edge > 0")
+        if not 0 < self.core <= WIDE:
+            raise ValueError(f"a polar grid needs a core of up to {WIDE:g}")
         if not 0 <= self.crest < self.reach:
             raise ValueError("a polar grid needs a crest between 0 and its reach")
 
@@ -91,6 +97,8 @@ class PolarGrid:
         """Uniform radial coordinate ξ of radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
         fine = sum(np.arcsinh((rho - place) / d) + np.arcsinh((rho + place) / d) for place, d in self._zones)
+        if self.core < WIDE:
+            fine = fine + np.arcsinh(rho / self.core) - np.arcsinh(rho / WIDE)
         return fine - self.thinning * np.arcsinh(rho / WIDE)
 
     @cached_property
@@ -98,8 +106,10 @@ class PolarGrid:
         """A table of ξ and r/`edge`, dense around the refined zones."""
         d = self.edge_width
         table = 1 + d * np.sinh(np.linspace(-np.arcsinh(1 / d), np.arcsinh(2 * self.reach / d), 800))
+        if self.core < WIDE:
+            table = np.union1d(table, self.core * np.sinh(np.linspace(0, np.arcsinh(1 / self.core), 201)))
         if self.crest:
-            # Newton's method needs a table that has seen the crest's zone.
+            # Newton's method needs a table that has seen the zones.
             near = self.crest + self.crest_width * np.sinh(np.linspace(-5, 5, 201))
             table = np.union1d(table, near[near > 0])
         table[0] = 0
@@ -120,6 +130,8 @@ class PolarGrid:
         """Derivative dr/dξ at radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
         fine = sum(1 / np.hypot(d, rho - place) + 1 / np.hypot(d, rho + place) for place, d in self._zones)
+        if self.core < WIDE:
+            fine = fine + 1 / np.hypot(self.core, rho) - 1 / np.hypot(WIDE, rho)
         return self.edge / (fine - self.thinning / np.hypot(WIDE, rho))
 
     @cached_property

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -118,7 +118,7 @@ class DryContact:
         return -self.radius * total / whole[..., 0]
 
 
-@lru_cache(maxsize=1)
+@lru_cache(maxsize=16)
 def _gauss(points: int) -> tuple[Array, Array]:
     """Places and weights of Gauss's quadrature on [−1, 1], kept because every first guess wants them."""
     return leggauss(points)
@@ -178,7 +178,7 @@ def dry_contact(substrate: Substrate, radius: float = 1.0, indenter: Shape = PAR
     depth = float(of_bowl / of_flat)
     phi = depth * flat - bowl
 
-    own_slope = indenter.depth_slope if indenter == PARABOLOID else _Tabulated(indenter.depth_slope, (0.0, *corners, radius))
+    own_slope = indenter.depth_slope if indenter == PARABOLOID else _tabulated(indenter, float(np.ceil(4 * np.log2(radius))))
     smooth: Callable[[Array], Any] = np.zeros_like
     if k.size:
         from scipy.interpolate import CubicSpline  # slow to import, and half-spaces do without
@@ -209,27 +209,39 @@ class _Slope:
         return self.stiffness * (self.smooth(s) - self.own(s) / np.pi**2)
 
 
+@dataclass(frozen=True)
 class _Tabulated:
     """A function that is dear to evaluate, by a cubic spline on each of some pieces; it may begin there like a root."""
 
-    def __init__(self, function: Callable[[Array], Array], edges: tuple[float, ...]) -> None:
+    function: Callable[[Array], Array]
+    edges: tuple[float, ...]
+
+    @cached_property
+    def splines(self) -> list[Any]:
+        """The splines, made when they are first asked for: the search for a contact's radius asks for no pressure."""
         from scipy.interpolate import CubicSpline
 
         u = np.linspace(0, 1, TABLE)
-        self._edges = edges
-        self._splines = [CubicSpline(u, function(low + (high - low) * u**2)) for low, high in pairwise(edges)]
+        return [CubicSpline(u, self.function(low + (high - low) * u**2)) for low, high in pairwise(self.edges)]
 
     def __call__(self, x: Array) -> Array:
         found = np.zeros(np.shape(x))
-        piece = np.clip(np.searchsorted(self._edges, x, side="right") - 1, 0, len(self._splines) - 1)
-        for k, (spline, (low, high)) in enumerate(zip(self._splines, pairwise(self._edges), strict=True)):
+        piece = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.splines) - 1)
+        for k, (spline, (low, high)) in enumerate(zip(self.splines, pairwise(self.edges), strict=True)):
             found[piece == k] = spline(np.sqrt(np.maximum(np.asarray(x)[piece == k] - low, 0) / (high - low)))
         return found
 
 
+@lru_cache(maxsize=64)
+def _tabulated(indenter: Shape, quarter_octaves: float) -> _Tabulated:
+    """g′ of an indenter up to a radius 2^(n/4), a table for many contacts."""
+    rim = 2.0 ** (quarter_octaves / 4)
+    return _Tabulated(indenter.depth_slope, (0.0, *(each for each in indenter.corners if each < rim), rim))
+
+
 def _pieces(points: int, edges: tuple[float, ...]) -> tuple[Array, Array]:
     """Places and weights of Gauss's quadrature with some points on each of some pieces."""
-    x, weight = leggauss(points)
+    x, weight = _gauss(points)
     low, width = np.array(edges)[:-1, None], np.diff(edges)[:, None]
     return (low + width * (x + 1) / 2).ravel(), (width * weight / 2).ravel()
 

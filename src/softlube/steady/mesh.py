@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
 from softlube.discretization.fields import Fields
-from softlube.discretization.grid import PolarGrid
+from softlube.discretization.grid import WIDE, PolarGrid
+from softlube.model.dry import PARABOLOID, dry_contact
+from softlube.model.indenters import Shape
+from softlube.model.substrates import HalfSpaceKernel
 from softlube.steady.regime import Regime
 
 RADIAL_STEP = 5.2
@@ -43,9 +47,17 @@ TRAIL_THINNING = 2.8
 """Coefficient of the mesh's thinning beyond the contact where it has that zone, whose rings are wanted within the contact."""
 SHIFTED_EDGE = 0.1
 """Distance of the contact's edge at the inlet and the sides from the mesh's that is not worth a change."""
-BLUNT_STEP = 0.35
-"""Power of 2 over a blunt indenter's `DryContact.exponent` that the radial step takes: inwards from the edge its pressure bends
-more than a paraboloid's.  With it a shape of height r⁴ needs no more angles than a paraboloid with the same β′."""
+BLUNT_STEP = 0.38
+"""Power of 2 over a blunt indenter's `DryContact.exponent` that the radial step takes: at the edge of its contact the pressure
+bends more than a paraboloid's.  With it shapes of height r⁴ need no more grids than a paraboloid with the same β′."""
+REACH, FARTHEST = 20.0, 60.0
+"""Radius of the rim over the edge's under a paraboloid; and at least over a gap, where u = h₀ + r²/2 becomes r²/2 later."""
+RIMS, FAR_EXPONENT = REACH * 2.0 ** np.arange(-4, 7, 0.25), 1.98
+"""Radii of the rim under other indenters, in steps, so that neighbouring contacts share a grid; and the least exponent r f′/f
+there: the far field's load, ∝ ∫ r⁻³ dr of a paraboloid, diverges under a cone."""
+CORE, BENDS = 0.7, np.linspace(0, 0.8, 61)
+"""Width of the mesh's zone about the centre over the length on which an indenter's dry pressure bends, and the radii over the
+contact's at which that is looked for."""
 COARSEST = 0.43
 """Spacing of ξ that `STEEP_STEP` does not go beyond, lest the first grid be no start for the second."""
 
@@ -84,14 +96,16 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     crowding = (1.2 if regime.deep else 0.7) + STEEP_CROWDING * steep
     if regime.thinning > THINS and not regime.over_gap:
         width, crowding = THINNING_SIDES * width, crowding + THINNING_CROWDING
+    reach, core = _extent(regime.problem.indenter, float(np.sqrt(regime.unit)))
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
         edge_width=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25 * min(1.0, 2 / regime.dry.exponent))),
         side_width=width,
         side_clustering=crowding,
-        reach=60.0 if regime.over_gap else 20.0,  # u = h₀ + r²/2 becomes r²/2 later under a gap
+        reach=max(reach, FARTHEST) if regime.over_gap else reach,
         edge=edge,
+        core=core,
     )
     for adjust in adjustments:
         grid = adjust(grid)
@@ -106,6 +120,27 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
         if not regime.deep and beta >= light:
             step *= min(1.0, 2 / regime.dry.exponent) ** BLUNT_STEP
     return grid.resized(int(np.ceil(grid.xi_of(grid.reach * edge) * n_theta / step)), n_theta)
+
+
+@lru_cache(maxsize=512)
+def _extent(indenter: Shape, edge: float) -> tuple[float, float]:
+    """Reach and core of the mesh that suit an indenter's contact of a radius; see `PolarGrid`.
+
+    The rim is where the displacement, which falls like 1/r, is as small beside the height as under a paraboloid at `REACH`.
+    Where the dry pressure over Hertz's is no parabola, as at a tip or the border of a flat face, the mesh is refined about the
+    centre.
+    """
+    if indenter == PARABOLOID:
+        return REACH, WIDE
+    edge = max(edge, 1.1 * indenter.flat)
+    height = indenter.height(edge * RIMS)
+    exponent = edge * RIMS * indenter.slope(edge * RIMS) / height
+    far = (RIMS * height > 0.499 * REACH**3 * indenter.depth(edge)) & (exponent > FAR_EXPONENT)
+    smooth = dry_contact(HalfSpaceKernel(), edge, indenter).smooth_part(BENDS)
+    rest = smooth - np.polynomial.Polynomial.fit(BENDS**2, smooth, 1)(BENDS**2)
+    bend = np.diff(rest, 2) / BENDS[1] ** 2 / smooth[1:-1]
+    core = CORE / max(np.sqrt(np.max(np.abs(bend))), CORE / WIDE)
+    return float(RIMS[np.argmax(far)] if far.any() else RIMS[-1]), float(2.0 ** (np.round(2 * np.log2(core)) / 2))
 
 
 def with_trail(grid: PolarGrid, fields: Fields, unit: float) -> PolarGrid:
