@@ -30,10 +30,27 @@ def test_without_thinning_it_is_the_newtonian_contact(law, given):
     assert {name: float(thin[name]) for name in plain} == pytest.approx(dict(plain), rel=1e-8)
 
 
-def test_on_the_second_plateau_it_is_newtonian_with_its_viscosity():
-    thin = softlube.solve(beta=300, liquid=CarreauYasudaLaw(REST, 1e20, 0.4, 0.1), accuracy=0.01).quantities
+@pytest.mark.parametrize("ratio", [2.0, 0.0])
+@pytest.mark.parametrize(("index", "time"), [(0.4, 1e20), (0.8, 1e50)])
+def test_on_the_second_plateau_it_is_newtonian_with_its_viscosity(index, time, ratio):
+    """Also in rolling, where shear rates vanish in the film; frictions and shear rates then have no Newtonian value to equal."""
+    thin = softlube.solve(
+        beta=300, liquid=CarreauYasudaLaw(REST, time, index, 0.1), accuracy=0.01, slide_to_roll=ratio
+    ).quantities
     plain = softlube.solve(beta=3000, accuracy=0.01).quantities
-    assert {name: float(thin[name]) for name in plain} == pytest.approx(dict(plain), rel=1e-6)
+    names = [name for name in plain if ratio or not name.startswith(("friction", "shear_rate"))]
+    assert [float(thin[name]) for name in names] == pytest.approx([plain[name] for name in names], rel=1e-8)
+
+
+def test_the_second_plateau_is_reached_as_the_law_reaches_it():
+    """η/η∞ − 1 = (η₀/η∞ − 1)(λγ̇)^(n−1)."""
+    plain = softlube.solve(beta=3000, accuracy=0.01).film_center
+    times = np.array([1e10, 1e12, 1e14])
+    films = [
+        softlube.solve(beta=300, liquid=CarreauYasudaLaw(REST, time, 0.4, 0.1), accuracy=0.01).film_center for time in times
+    ]
+    left = np.array(films) / plain - 1
+    assert np.diff(np.log(left)) / np.diff(np.log(times)) == pytest.approx([-0.6, -0.6], abs=1e-3)
 
 
 @pytest.fixture(scope="module", params=[0.0, 0.5, 2.0])
