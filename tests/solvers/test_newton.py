@@ -86,6 +86,17 @@ def test_linear_complementarity_is_a_bounded_least_squares_problem(seed):
     assert np.max(np.abs(result.x * residual)) < 1e-9
 
 
+@pytest.mark.parametrize("coupling", [1.5, 2.0, 4.0])
+@pytest.mark.parametrize("start", [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]])
+def test_a_circle_of_active_sets_is_left(coupling, start):
+    """Whole steps never leave it for this P-matrix, whose solution is 1/(1 + a) everywhere (Ben Gharbia & Gilbert 2012)."""
+    matrix = np.eye(3) + coupling * np.roll(np.eye(3), 2, axis=1)
+    result = newton(Linear(matrix, np.ones(3), np.ones(3, dtype=bool), exact=True), np.array(start))
+    assert result.converged
+    assert result.x == pytest.approx(1 / (1 + coupling))
+    assert len(result.history) < 12
+
+
 def test_convergence_is_quadratic_where_the_linear_equations_are_solved_exactly():
     system, _ = random_system(7, cubic=3.0, constrained=False)
     system.exact = True

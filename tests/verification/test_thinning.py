@@ -33,7 +33,7 @@ def test_without_thinning_it_is_the_newtonian_contact(law, given):
 @pytest.mark.parametrize("ratio", [2.0, 0.0])
 @pytest.mark.parametrize(("index", "time"), [(0.4, 1e20), (0.8, 1e50)])
 def test_on_the_second_plateau_it_is_newtonian_with_its_viscosity(index, time, ratio):
-    """Also in rolling, where shear rates vanish in the film; frictions and shear rates then have no Newtonian value to equal."""
+    """Also in rolling, where shear rates vanish in the film; frictions and shear rates have no Newtonian value then."""
     thin = softlube.solve(
         beta=300, liquid=CarreauYasudaLaw(REST, time, index, 0.1), accuracy=0.01, slide_to_roll=ratio
     ).quantities
@@ -134,6 +134,20 @@ def test_quoted_errors_hold():
         held += sum(abs(found[name] - exact[name]) <= found[name].error + 1e-12 * abs(exact[name]) for name in uncertain)
     assert counted > 900
     assert held >= 0.95 * counted
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stress", [4.5e-6, 1e-3])
+def test_rolling_on_a_power_law_far_in_the_hertz_limit(stress):
+    """There the mobility vanishes with the pressure gradient, also at the free boundary, where nodes came and went for ever."""
+    found = softlube.solve(beta=1e6, liquid=OstwaldLaw(REST, stress, 0.5), slide_to_roll=0.0, accuracy=3e-3)
+    assert sum(len(level.history) for level in found.levels) < 80
+    assert found.film_center.error < 3e-3 * found.film_center
+
+
+def test_what_is_outside_the_range_is_told_by_the_viscosity_at_the_inlet():
+    with pytest.raises(softlube.NotConvergedError, match="with the liquid's viscosity at the inlet, is outside the range"):
+        softlube.solve(beta=1e6, liquid=OstwaldLaw(REST, 1e-8, 0.5), slide_to_roll=0.0)
 
 
 @pytest.mark.slow

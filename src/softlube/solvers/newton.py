@@ -33,6 +33,11 @@ WORST_REDUCTION = 0.1
 """What may be left of a linear residual for a small step to mean convergence."""
 NEGLIGIBLE = 1e-8
 """Size of a step that means convergence even while some unknowns still change sides: on the free boundary, by round-off."""
+SAME_STEP, LONGEST_CIRCLE = 0.03, 12
+"""Relative difference up to which two steps are the same, and number of steps at most in a circle, in which unknowns come into
+the active set and leave it for ever."""
+LEAVING, LEFT = 0.5, 0.05
+"""Fraction of the steps that leave a circle, and their size over the circle's from which on whole steps are taken again."""
 LARGEST_KRYLOV = 60
 """Iterations of GMRES at most; some ten are usual."""
 
@@ -199,7 +204,7 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
     history: list[Iteration] = []
     before: Mask | None = None
     equation: LinearEquation | None = None
-    said, doubt = 0.0, DOUBT
+    said, doubt, until = 0.0, DOUBT, math.inf
 
     def ended(converged: bool) -> NewtonResult:
         return NewtonResult(np.where(system.constrained, np.maximum(x, 0.0), x) if converged else x, converged, tuple(history))
@@ -227,6 +232,12 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
         if not np.all(np.isfinite(step)):
             break
         size, fraction = at.reach(step)
+        if _circling(history, size, int(active.sum())):
+            until = LEFT * size
+        if size > until:
+            fraction *= LEAVING
+        else:
+            until = math.inf
         if near:
             doubt = max(DOUBT, size / max(said, 1e-300))
         contraction = min(1.0, size / max(history[-1].step, 1e-300)) if history and settled else 1.0
@@ -241,6 +252,12 @@ def newton(system: System, start: Array, *, tolerance: float = 1e-7, max_iterati
             break
         before = active
     return ended(False)
+
+
+def _circling(history: list[Iteration], size: float, n_active: int) -> bool:
+    """Whether a step is one that was taken a few steps ago: the active set goes round and round."""
+    earlier = history[-LONGEST_CIRCLE:-1]
+    return any(each.n_active == n_active and abs(size - each.step) < SAME_STEP * each.step for each in earlier)
 
 
 def gmres(operator: Callable[[Array], Array], right: Array, tolerance: float) -> tuple[Array, int, float]:

@@ -157,14 +157,15 @@ def solve_problem(
 
 def _regime(problem: Problem) -> Regime:
     """The regime of a problem within the range that is resolved."""
-    if not SMALLEST_BETA <= problem.parameter <= LARGEST_BETA:
-        name = "beta_load" if problem.load_controlled else "beta"
-        bounds = f"{SMALLEST_BETA:g} to {LARGEST_BETA:g}"
-        raise NotConvergedError(
-            f"{name} = {problem.parameter:.4g} is outside the range that is resolved, {bounds}. Beyond it the limits of "
-            "softlube.limits hold: a rigid sphere below, a Hertz contact above."
-        )
     regime = Regime.of(problem)
+    own = problem.parameter / regime.viscosity
+    if not SMALLEST_BETA <= own <= LARGEST_BETA:
+        name = "beta_load" if problem.load_controlled else "beta"
+        formed = ", formed with the liquid's viscosity at the inlet," if problem.liquid.thins else ""
+        raise NotConvergedError(
+            f"{name} = {own:.4g}{formed} is outside the range that is resolved, {SMALLEST_BETA:g} to {LARGEST_BETA:g}. "
+            "Beyond it the limits of softlube.limits hold: a rigid sphere below, a Hertz contact above."
+        )
     remainder = problem.substrate.remainder
     if remainder is not None and (depth := remainder.smooth_over / np.sqrt(regime.unit)) < THINNEST:
         raise NotConvergedError(
