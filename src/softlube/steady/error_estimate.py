@@ -33,16 +33,21 @@ class Convergence:
     ----------
     order : int
         Power of the spacing with which it converges at worst.
+    smooth : bool
+        Whether a part of fourth order can be told from the worst one.
     least : float
         Least error over `yardstick`; infinite where the grid tells nothing.
     """
 
     order: int
+    smooth: bool = False
     least: float = 0.0
 
 
-SMOOTH = Convergence(order=2)
+SMOOTH = Convergence(order=2, smooth=True)
 """The scheme is of fourth order where the pressure is smooth, and of second at the free boundary."""
+THINNEST = dict.fromkeys(("film_min", "film_outlet_min", "shear_rate_max"), Convergence(order=2))
+"""The extrema in the thinnest boundary layer, at the free boundary: its place within a cell decides their errors."""
 
 
 def yardstick(name: str, values: Mapping[str, float]) -> float:
@@ -50,7 +55,7 @@ def yardstick(name: str, values: Mapping[str, float]) -> float:
     return QUANTITIES[name].size(values)
 
 
-def error_of(values: Sequence[float], angles: Sequence[int], order: int = SMOOTH.order) -> float:
+def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence = SMOOTH) -> float:
     """Error of the last of three values on nested grids.
 
     Parameters
@@ -59,22 +64,28 @@ def error_of(values: Sequence[float], angles: Sequence[int], order: int = SMOOTH
         Coarse to fine.
     angles : sequence of int
         Angular intervals of the grids.
-    order : int
-        See `Convergence`.
+    rate : Convergence
+        How the values converge.
 
     Notes
     -----
-    A change x(h) − x(1) from a grid with the spacing h, relative to the finest's, leaves the error change/(h² − 1) at the free
-    boundary, whose place within its cell differs from grid to grid, so that a change may be small by chance.  So three are
-    compared: that from the middle grid (with h to the power of the order); that from the coarsest, by half, for where the
-    solution is smooth it is too wide by 1 + h²; and that from the middle grid without the smooth part, which goes with h⁴, as
-    the coarsest tells it.
+    A change x(h) − x(1) from a grid with the spacing h, relative to the finest's, is read as if it were of fourth order:
+    change/(h⁴ − 1), a from the middle grid and b from the coarsest.  Where the solution is smooth both agree and are the error.
+    What they differ by belongs to the free boundary, which leaves an error of second order.  If nothing else were left,
+    a + k (a − b) would be the error, with the k below.  But its place within its cell is another one on every grid: the signs
+    tell nothing, and nothing beyond the larger reading does.  So the error is |a| + k min(|a − b|, max(|a|, |b|)).
+
+    Where that place is all that counts, two readings may agree by chance.  Each tells the size of a random error, and the error
+    is the root of the sum of their squares: the change from the middle grid read with the quantity's own order, and half of the
+    change from the coarsest, read as of second order, for it has a smooth part, too.
     """
     coarsest, middle = (value - values[-1] for value in values[-GRIDS:-1])
     far, near = (angles[-1] / n for n in angles[-GRIDS:-1])
-    left = middle - coarsest / (far**4 - 1) * (near**4 - 1)
-    readings = abs(middle) / (near**order - 1), abs(coarsest) / (far**2 - 1) / 2, abs(left) / (near**2 - 1)
-    return SAFETY * max(readings)
+    if not rate.smooth:
+        return SAFETY * math.hypot(middle / (near**rate.order - 1), coarsest / (far**2 - 1) / 2)
+    a, b = middle / (near**4 - 1), coarsest / (far**4 - 1)
+    k = near**2 * (far**2 + 1) / (far**2 - near**2)
+    return SAFETY * (abs(a) + k * min(abs(a - b), max(abs(a), abs(b))))
 
 
 def estimate_errors(
@@ -94,7 +105,7 @@ def estimate_errors(
     exact : str
         A quantity that is prescribed.
     convergence : mapping of str to Convergence, optional
-        How some quantities converge; `SMOOTH` for the others.
+        How some quantities converge; `THINNEST` and `SMOOTH` for the others.
 
     Returns
     -------
@@ -103,8 +114,8 @@ def estimate_errors(
     """
     estimates = {}
     for name in levels[-1]:
-        rate = (convergence or {}).get(name, SMOOTH)
-        error = error_of([level[name] for level in levels], angles, rate.order)
+        rate = (THINNEST | dict(convergence or {})).get(name, SMOOTH)
+        error = error_of([level[name] for level in levels], angles, rate)
         estimates[name] = 0.0 if name == exact else max(error, rate.least * yardstick(name, levels[-1]))
     return estimates
 

@@ -28,7 +28,7 @@ from softlube.steady.refinements import Refinement, refinements_for
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
-LADDER = (9, 17, 29, 41, 61, 91)
+LADDER = (9, 17, 29, 39, 61, 91)
 """Angular intervals of the nested grids, coarse to fine; on a layer a few more, see `softlube.steady.mesh.angles_for`.  All are
 odd, so that the sides, at 90°, lie half-way between two nodes of every grid."""
 REFINED_ANGLES = 39
