@@ -75,14 +75,14 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
     a + k (a − b) would be the error, with the k below.  But its place within its cell is another one on every grid: the signs
     tell nothing, and nothing beyond the larger reading does.  So the error is |a| + k min(|a − b|, max(|a|, |b|)).
 
-    Where that place is all that counts, two readings may agree by chance.  Each tells the size of a random error, and the error
-    is the root of the sum of their squares: the change from the middle grid read with the quantity's own order, and half of the
-    change from the coarsest, read as of second order, for it has a smooth part, too.
+    Where that place is all that counts, two readings may agree by chance, and the larger one is taken: the change from the
+    middle grid, read with the quantity's own order, or half of the change from the coarsest, read as of second order, for it
+    has a smooth part, too.
     """
     coarsest, middle = (value - values[-1] for value in values[-GRIDS:-1])
     far, near = (angles[-1] / n for n in angles[-GRIDS:-1])
     if not rate.smooth:
-        return SAFETY * math.hypot(middle / (near**rate.order - 1), coarsest / (far**2 - 1) / 2)
+        return SAFETY * max(abs(middle) / (near**rate.order - 1), abs(coarsest) / (far**2 - 1) / 2)
     a, b = middle / (near**4 - 1), coarsest / (far**4 - 1)
     k = near**2 * (far**2 + 1) / (far**2 - near**2)
     return SAFETY * (abs(a) + k * min(abs(a - b), max(abs(a), abs(b))))
