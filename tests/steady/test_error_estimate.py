@@ -9,8 +9,8 @@ from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY
 from softlube.model.substrates import LayerKernel
 from softlube.steady.error_estimate import (
+    AT_THE_BOUNDARY,
     SAFETY,
-    THINNEST,
     Convergence,
     error_of,
     estimate_errors,
@@ -32,11 +32,13 @@ def test_an_error_of_one_order_is_known(order):
 
 
 def test_a_random_error_is_not_taken_for_a_smooth_one():
-    """Changes that happen to lie like those of h⁴ are the size of an error of second order in the thinnest layer."""
+    """Changes that happen to lie like those of h⁴ are the size of an error of second order at the boundary."""
     values = [1 + n**-4 for n in ANGLES]
     far, near = ((27 / n) ** 2 for n in ANGLES[:2])
     error = values[-1] - 1
-    assert error_of(values, ANGLES, THINNEST["film_min"]) == pytest.approx(SAFETY * error * max(near + 1, (far + 1) / 2))
+    assert error_of(values, ANGLES, AT_THE_BOUNDARY["shear_rate_max"]) == pytest.approx(
+        SAFETY * error * max(near + 1, (far + 1) / 2)
+    )
 
 
 def test_errors_of_two_orders_do_not_cancel():

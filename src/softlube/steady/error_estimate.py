@@ -21,7 +21,7 @@ LARGEST_ERROR = 0.1
 """Relative error up to which a quantity that a refinement determines is given."""
 GRIDS = 3
 """Number of nested grids that tell an error."""
-SAFETY = 1.3
+SAFETY = 1.35
 """Factor of the estimates, for at least 95 % of the errors of every quantity to lie below them (docs/notes/errors.md)."""
 
 
@@ -46,8 +46,8 @@ class Convergence:
 
 SMOOTH = Convergence(order=2, smooth=True)
 """The scheme is of fourth order where the pressure is smooth, and of second at the free boundary."""
-THINNEST = dict.fromkeys(("film_min", "film_outlet_min", "shear_rate_max"), Convergence(order=2))
-"""The extrema in the thinnest boundary layer, at the free boundary: its place within a cell decides their errors."""
+AT_THE_BOUNDARY = dict.fromkeys(("film_outlet_min", "shear_rate_max"), Convergence(order=2))
+"""The extrema where the liquid leaves the contact, at the free boundary: its place within a cell decides their errors."""
 
 
 def yardstick(name: str, values: Mapping[str, float]) -> float:
@@ -73,19 +73,20 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
     change/(h⁴ − 1), a from the middle grid and b from the coarsest.  Where the solution is smooth both agree and are the error.
     What they differ by belongs to the free boundary, which leaves an error of second order.  If nothing else were left,
     a + k (a − b) would be the error, with the k below.  But its place within its cell is another one on every grid: the signs
-    tell nothing, and nothing beyond the larger reading does.  So the error is |a| + k min(|a − b|, max(|a|, |b|)).
+    tell nothing, and nothing beyond the larger reading does.  So with M = max(|a|, |b|) the error is M + k min(|a − b|, M).
 
-    Where that place is all that counts, two readings may agree by chance, and the larger one is taken: the change from the
-    middle grid, read with the quantity's own order, or half of the change from the coarsest, read as of second order, for it
-    has a smooth part, too.
+    Where that place is all that counts, a and b may agree by chance.  Then all is read as of second order, a as of the quantity's
+    own, and the largest is taken: a, what it differs from b by, and half of b, for the coarsest grid has a smooth part, too.
     """
     coarsest, middle = (value - values[-1] for value in values[-GRIDS:-1])
     far, near = (angles[-1] / n for n in angles[-GRIDS:-1])
-    if not rate.smooth:
-        return SAFETY * max(abs(middle) / (near**rate.order - 1), abs(coarsest) / (far**2 - 1) / 2)
-    a, b = middle / (near**4 - 1), coarsest / (far**4 - 1)
-    k = near**2 * (far**2 + 1) / (far**2 - near**2)
-    return SAFETY * (abs(a) + k * min(abs(a - b), max(abs(a), abs(b))))
+    a, b = abs(middle) / (near**4 - 1), abs(coarsest) / (far**4 - 1)
+    apart = abs(middle / (near**4 - 1) - coarsest / (far**4 - 1))
+    if rate.smooth:
+        k = near**2 * (far**2 + 1) / (far**2 - near**2)
+        return SAFETY * (max(a, b) + k * min(apart, max(a, b)))
+    own = (near**4 - 1) / (near**rate.order - 1)
+    return SAFETY * max(own * a, (near**2 + 1) * apart, (far**2 + 1) / 2 * b)
 
 
 def estimate_errors(
@@ -105,7 +106,7 @@ def estimate_errors(
     exact : str
         A quantity that is prescribed.
     convergence : mapping of str to Convergence, optional
-        How some quantities converge; `THINNEST` and `SMOOTH` for the others.
+        How some quantities converge; `AT_THE_BOUNDARY` and `SMOOTH` for the others.
 
     Returns
     -------
@@ -114,7 +115,7 @@ def estimate_errors(
     """
     estimates = {}
     for name in levels[-1]:
-        rate = (THINNEST | dict(convergence or {})).get(name, SMOOTH)
+        rate = (AT_THE_BOUNDARY | dict(convergence or {})).get(name, SMOOTH)
         error = error_of([level[name] for level in levels], angles, rate)
         estimates[name] = 0.0 if name == exact else max(error, rate.least * yardstick(name, levels[-1]))
     return estimates
