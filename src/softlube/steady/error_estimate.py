@@ -75,8 +75,8 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
     a + k (a − b) would be the error, with the k below.  But its place within its cell is another one on every grid: the signs
     tell nothing, and nothing beyond the larger reading does.  So with M = max(|a|, |b|) the error is M + k min(|a − b|, M).
 
-    Where that place is all that counts, a and b may agree by chance.  Then all is read as of second order, a as of the quantity's
-    own, and the largest is taken: a, what it differs from b by, and half of b, for the coarsest grid has a smooth part, too.
+    Where that place is all that counts, a and b may agree by chance.  Then all is read as of second order, a as of the
+    quantity's own, and the largest is taken: a, what it differs from b by, and half of b, which has a smooth part, too.
     """
     coarsest, middle = (value - values[-1] for value in values[-GRIDS:-1])
     far, near = (angles[-1] / n for n in angles[-GRIDS:-1])
