@@ -11,6 +11,7 @@ ORDER = (
     "fit_viscosity",
     "hyaluronic_acid",
     "layer_under_lens",
+    "pdms_memory",
     "worn_ball",
     "squeeze_dimple",
     "killed_sweep",

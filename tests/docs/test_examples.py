@@ -96,6 +96,21 @@ def thickness_in_units(names):
     return 0.3e-3 / float(contact["contact_radius"])
 
 
+def test_pdms_memory(tmp_path, monkeypatch):
+    names = run("pdms_memory", tmp_path, monkeypatch)
+    assert [term.time for term in names["fit"].terms] == pytest.approx([1e-3, 1e-2, 0.1, 1, 10], rel=0.1)  # the data's own
+    found = names["found"]
+    assert float(found["friction_hysteresis"]) == pytest.approx(1.322e-3, rel=2e-3)
+    assert found["friction_viscous"] + found["friction_hysteresis"] == pytest.approx(float(found["friction_total"]), rel=1e-6)
+    assert names["coefficient"] == pytest.approx(names["rule"], rel=0.1)  # the rule is one for a little loss
+    assert names["elastic"].dimensional["film_center"] == pytest.approx(174.1e-9, rel=1e-3)  # the README's contact
+    assert names["growth"] < 2
+    assert names["by_liquid"] == pytest.approx(40**0.44, rel=0.15)
+    assert names["share_little"] == pytest.approx(0.27, abs=0.01)
+    for picture in ("moduli", "film", "stribeck"):
+        assert (tmp_path / f"pdms_memory_{picture}.png").exists()
+
+
 def test_squeeze_dimple(tmp_path, monkeypatch):
     names = run("squeeze_dimple", tmp_path, monkeypatch)
     assert names["exponent"] == pytest.approx(-0.5, abs=0.005)

@@ -91,6 +91,16 @@ def test_a_stribeck_curve(table, tmp_path, against, column):
     assert lambda_3.get_ydata()[0] == pytest.approx(150)  # three times the roughness, 100 nm over λ = 2
 
 
+def test_parts_of_the_friction_are_drawn_where_the_substrate_remembers(table):
+    viscous = 0.8 * table["friction_coefficient"] * table["load [N]"]
+    table = table.assign(**{"friction_viscous [N]": viscous, "friction_hysteresis [N]": viscous / 4})
+    friction, _ = plot_stribeck(table).axes
+    assert [text.get_text() for text in friction.get_legend().get_texts()] == ["50 mN", "100 mN", "viscous", "hysteresis"]
+    whole, by_liquid, by_substrate = friction.get_lines()[:3]
+    assert [line.get_linestyle() for line in (whole, by_liquid, by_substrate)] == ["-", "--", ":"]
+    assert by_liquid.get_ydata() + by_substrate.get_ydata() == pytest.approx(whole.get_ydata())
+
+
 def test_regimes_have_their_greys(table):
     table = table[table["load [N]"] < 0.07].assign(lambda_ratio=[0.5, 0.9, 2.0, 4.0, 8.0])
     table["film_min [m]"] = 5e-8 * table["lambda_ratio"]

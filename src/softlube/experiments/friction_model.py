@@ -23,7 +23,7 @@ from softlube.experiments.load_curve import check_friction
 from softlube.experiments.load_family import LoadFamily, load_family
 from softlube.experiments.measurements import Measurements
 from softlube.experiments.parameters import MODULI, OFFSET, PRINCIPAL, SHORT, TYPICAL, parameters
-from softlube.experiments.problem_numbers import SAME, Path, moved, nodes_around, numbers_of, powers, with_numbers
+from softlube.experiments.problem_numbers import SAME, SHARES, Path, moved, nodes_around, numbers_of, powers, with_numbers
 from softlube.model.indenters import IndenterPart
 from softlube.model.motions import Rolling
 from softlube.model.parts import Part, resolve
@@ -36,17 +36,18 @@ Array = NDArray[np.floating]
 
 NOISE = ("relative", "absolute")
 ACCURACY = {True: 5e-3, False: 1.5e-2}
-"""Relative accuracy of the solutions behind the curve, for liquids whose shear stress is in proportion to the shear rate and
-for others: the friction is then good to 0.1 or 0.3 %, far better than a measurement."""
+"""Relative accuracy of the solutions behind the curve, for `Model.plain` contacts and for others: the friction is then good to
+0.1 or 0.3 %, far better than a measurement."""
 ROOM = {True: 4.0, False: 2.0}
-"""How far, as a factor of β, the curve reaches beyond the data at first, for liquids whose shear stress is in proportion to the
-shear rate and for others, whose parameters are looked for nearby."""
+"""How far, as a factor of β, the curve reaches beyond the data at first, for `Model.plain` contacts and for others, whose
+parameters are looked for nearby."""
 SPREAD = {True: 8.0, False: 3.0}
-"""How far, as a factor of the load, curves reach beyond the data where a fitted parameter acts like another load, for liquids
-whose shear stress is in proportion to the shear rate and for others.  A thickness, a pressure coefficient or a relaxation time
-is so looked for within a factor of 2 of where the search is."""
+"""How far, as a factor of the load, curves reach beyond the data where a fitted parameter acts like another load, for
+`Model.plain` contacts and for others.  A thickness, a pressure coefficient or a relaxation time is so looked for within a
+factor of 2 or 3 of where the search is."""
 COARSE = 0.2
-"""Steps, in logarithm, of the parameters of a liquid that thins for which curves are solved, so that they are found again."""
+"""Steps, in logarithm, of parameters for which curves are solved where contacts are not `Model.plain`, so that they are found
+again."""
 OFF_CENTRE = 0.6
 """Share of the reach of the curves beyond which they are solved again around what has been found."""
 PAPER_FIT = (4.806, 0.4398)
@@ -117,13 +118,7 @@ class Model:
 
     def problem(self, values: Mapping[str, float], load: float) -> Problem:
         """The dimensionless problem under a load [N]."""
-        problem = self.contact(values, load).problem()
-        if problem.substrate.memory is not None:
-            raise InputError(
-                "substrate: fit has no curves for one that remembers, which depend on its times over the viscosity; softlube "
-                "stribeck gives its friction for known times"
-            )
-        return problem
+        return self.contact(values, load).problem()
 
     def beta(self, values: Mapping[str, float], data: Measurements | None = None) -> Array:
         """β of Eq. (30), which goes with the load to the power 4/3 over the speed."""
@@ -136,16 +131,17 @@ class Model:
         return contact.scales(contact.unit_height)["friction"][0] * (data or self.data).load ** (4 / 3)
 
     @cached_property
-    def linear(self) -> bool:
-        """Whether the liquid's shear stress is in proportion to the shear rate."""
-        return self.problem(self.first_guess(), 1.0).liquid.linear
+    def plain(self) -> bool:
+        """Whether viscosity and speed act as one, β: no liquid that thins with shear, no substrate that remembers."""
+        problem = self.problem(self.first_guess(), 1.0)
+        return problem.liquid.linear and problem.substrate.memory is None
 
-    limited = property(lambda self: not self.linear, doc="Whether bounds are where curves end: of liquids that thin.")
+    limited = property(lambda self: not self.plain, doc="Whether bounds are where curves end: where contacts are not `plain`.")
 
     @property
     def _weak(self) -> tuple[str, ...]:
         """Parameters that do not change the normalised layer or liquid, or so weakly that curves are solved again for it."""
-        return ("viscosity", OFFSET) if self.linear else (OFFSET,)
+        return ("viscosity", OFFSET) if self.plain else (OFFSET,)
 
     @property
     def _acting(self) -> tuple[str, ...]:
@@ -161,7 +157,7 @@ class Model:
                 continue
             factor, apart = self.moved(self.start | {name: STEP * self.start[name]})
             power = abs(math.log(factor) / math.log(STEP))
-            reach = math.log(SPREAD[self.linear]) / power if power > SAME else math.inf
+            reach = math.log(SPREAD[self.plain]) / power if power > SAME else math.inf
             low, high = -reach, reach
             for path in apart.keys() & windows.keys():
                 own = self._numbers[path]
@@ -203,11 +199,16 @@ class Model:
         if now == self.start:
             return 1.0, {}
         factor, apart = moved(numbers_of(self.problem(now, 1.0)), self._numbers, self._powers)
+        changed = " and ".join(name for name in now if now[name] != self.start[name])
         if factor is None:
-            changed = " and ".join(name for name in now if now[name] != self.start[name])
             raise InputError(
                 f"free: {changed} change the layer and the liquid each in its own way, and curves for both "
                 "changes are too many; hold one of them, or compare fits with several values of it"
+            )
+        if any(path[: len(SHARES)] == SHARES for path in apart):
+            raise InputError(
+                f"free: {changed} change how much stiffer the substrate is when it is loaded fast, for which there are no "
+                "curves; hold the modulus, or compare fits with several values of it"
             )
         return factor, apart
 
@@ -237,7 +238,7 @@ class Model:
     def off_centre(self, x: Array) -> bool:
         """Whether a vector is so near to where the curves end that others around it are worth their time."""
         low, high = self.bounds()
-        some = np.isfinite(low) & np.isfinite(high) & (not self.linear)
+        some = np.isfinite(low) & np.isfinite(high) & (not self.plain)
         middle, half = (high[some] + low[some]) / 2, (high[some] - low[some]) / 2
         return bool(np.any(np.abs(x[some] - middle) > OFF_CENTRE * half))
 
@@ -251,10 +252,10 @@ class Model:
         """
         values = self.first_guess()
         model = replace(self, start=values)
-        if not model.linear and np.any(self.data.slide_to_roll != self.data.slide_to_roll[0]):
+        if not model.plain and np.any(self.data.slide_to_roll != self.data.slide_to_roll[0]):
             raise InputError(
-                f"{self.data.source}: the film of this liquid depends on the slide-to-roll ratio, and the rows have several; "
-                "fit those of each alone"
+                f"{self.data.source}: with this liquid and substrate the film depends on the slide-to-roll ratio, and the rows "
+                "have several; fit those of each alone"
             )
         for name in model._acting:
             other = values | {name: STEP * values[name]}
@@ -305,14 +306,14 @@ class Model:
     def cover(self, values: dict[str, float], region: str | float, progress: Listener | None) -> Model:
         """With load curves around the β of the data, for layer and liquid as they are with some values of the parameters."""
         beta = self.beta(values)
-        room = ROOM[self.linear]
+        room = ROOM[self.plain]
         low, high = clipped(float(beta.min()) / room, float(beta.max()) * room)
         if self.family is not None:
             low, high = min(low, self.family.low), max(high, self.family.high)
         # From one round to the next only what the curves cannot follow changes, so that most of them are known.
         weak = {name: values[name] for name in self._weak if name in values}
         start = values if self.family is None else self.start | weak
-        if self.family is None and not self.linear:
+        if self.family is None and not self.plain:
             start = start | {name: math.exp(COARSE * round(math.log(start[name]) / COARSE)) for name in self._acting}
         model = replace(self, start=dict(start), family=None)
         factor = model.acts_like_load(values)
@@ -330,10 +331,10 @@ class Model:
             self.data.load * factor,
             _half_decade(low, math.floor),
             _half_decade(high, math.ceil),
-            spread=SPREAD[model.linear] if shifted else 1.0,
+            spread=SPREAD[model.plain] if shifted else 1.0,
             numbers=[nodes_around(path, number) for path, number in zip(model.varied, model.numbers(values), strict=True)],
             region=region,
-            accuracy=ACCURACY[self.linear],
+            accuracy=ACCURACY[self.plain],
             progress=progress,
         )
         return replace(model, family=family)

@@ -3,8 +3,8 @@
 On a half-space with constant viscosity every load has one and the same curve.  A layer is the thicker over the contact's radius
 the lighter the load, and an oil thickens the less: there each load has a curve of its own.  Where a few loads are measured,
 their curves are taken; else those of Chebyshev's points in ln(load), so many that the polynomial through them is as accurate as
-they are.  The polynomial is one of the logarithm of the friction's Couette part and of its Poiseuille part, neither of which
-changes sign: under an oil they rise by orders of magnitude with the load.
+they are.  The polynomial is one of the logarithm of the friction's Couette part, of its Poiseuille part, and of what a
+viscoelastic substrate makes, none of which changes sign: under an oil they rise by orders of magnitude with the load.
 
 Other numbers of the normalised problem may vary, too, such as the index of a liquid that thins with shear: then there are
 curves for nodes of each, and polynomials in their logarithms.
@@ -108,11 +108,17 @@ class LoadFamily:
         return found
 
     def _inside(self, weights: Array, beta: Array, force: str, rolls: Array) -> Array:
-        couette = np.array([curve.friction(beta, force="couette")[0] for curve in self.curves])
-        poiseuille = couette - [curve.friction(beta, force="total")[0] for curve in self.curves]
+        couette, sphere = (
+            np.array([curve.friction(beta, force=each)[0] for curve in self.curves]) for each in ("couette", "sphere")
+        )
+        poiseuille = sphere - couette
         sign = {"total": -1.0, "sphere": 1.0, "couette": 0.0}[force]
         sliding = rolls / FIXED_BALL if self.curves[0].linear else 1.0
-        return _between(couette, weights) * sliding + sign * _between(poiseuille, weights)
+        found = _between(couette, weights) * sliding + sign * _between(poiseuille, weights)
+        if force == "total" and "viscous" in self.curves[0].functions:
+            total = np.array([curve.friction(beta)[0] for curve in self.curves])
+            found += _between(total - couette + poiseuille, weights)
+        return found
 
     def _weights(self, load: Array, numbers: Sequence[float] = ()) -> Array:
         """What each curve counts at some loads, shape (curves, …): Lagrange's polynomials in ln(load) and the logarithms."""

@@ -3,12 +3,16 @@
 A layer twice as thick is, over the contact's radius, what the layer is under an eighth of the load; a relaxation time is, over
 the time that the contact has, what it is under another load.  Such parameters act like another load, and curves of several
 loads serve for them.  Others change numbers that no load changes, such as an index: these need curves of their own.
+
+A curve is a function of β, which goes with the speed, and the way that a viscoelastic surface moves in its times goes with the
+speed, too.  So a problem's numbers are those at the speed at which β is 1, which no speed changes.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,7 +21,7 @@ from numpy.typing import NDArray
 from softlube.model.problem import Problem
 
 Array = NDArray[np.floating]
-Path = tuple[str, ...]
+Path = tuple[str | int, ...]
 """Where a number stands in the plain values of a problem."""
 
 SAME = 1e-9
@@ -28,20 +32,24 @@ again."""
 NODES = 3
 """Nodes of a number: parabolas through them in the logarithm are good to 0.5 % of the friction
 (tests/experiments/test_thinning_fit.py)."""
+SHARES = ("substrate", "shares")
+"""Where the compliances of a viscoelastic substrate stand: neither loads nor nodes change them, as their sum is limited."""
 AT_MOST_ONE = ("index", "infinite")
 """Numbers of the laws of liquids that are not above 1."""
 
 
 def numbers_of(problem: Problem) -> dict[Path, float]:
-    """Positive numbers of the normalised substrate, liquid and indenter, by where they stand in the problem's plain values."""
+    """Positive numbers of the normalised substrate, liquid and indenter at β = 1, by where they stand in the plain values."""
 
     def leaves(value: Any, path: Path) -> dict[Path, float]:
         if isinstance(value, Mapping):
             return {key: leaf for name, each in value.items() for key, leaf in leaves(each, (*path, name)).items()}
+        if isinstance(value, list | tuple) and path[0] == "substrate":  # a measured indenter has its profile in sequences
+            return {key: leaf for place, each in enumerate(value) for key, leaf in leaves(each, (*path, place)).items()}
         number = isinstance(value, int | float) and not isinstance(value, bool) and value > 0
         return {path: float(value)} if number else {}
 
-    plain = problem.to_plain()
+    plain = replace(problem, substrate=problem.substrate.hastened(problem.parameter)).to_plain()
     models = ("substrate", "liquid", "indenter")
     return {path: leaf for name in models for path, leaf in leaves(plain.get(name, {}), (name,)).items()}
 

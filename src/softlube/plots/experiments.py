@@ -109,8 +109,14 @@ def _residuals(ax: Axes, found: Fit) -> None:
     ax.set_title("dotted: twice the scatter", loc="right", fontsize=7)
 
 
+PARTS = {"viscous": "--", "hysteresis": ":"}
+"""Line styles of the parts of the friction."""
+
+
 def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None = None, *, against: str = "hersey") -> Figure:
     """Friction coefficient and film of `softlube.experiments.stribeck.stribeck_curve`.
+
+    If the substrate remembers, the parts of the friction that the liquid and the substrate make are drawn, too.
 
     Parameters
     ----------
@@ -128,6 +134,7 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
     column = "hersey" if against == "hersey" else "entrainment_speed [m/s]"
     label = "Hersey number ηUR/N" if against == "hersey" else "entrainment speed [m/s]"
     rough = "lambda_ratio" in table
+    parts = {name: style for name, style in PARTS.items() if f"friction_{name} [N]" in table}
     with rc_context(STYLE):
         figure = Figure(figsize=(7.0, 3.3), layout="constrained")
         friction, film = figure.subplots(1, 2)
@@ -143,6 +150,7 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
                 (friction, "-", np.abs(rows["friction_coefficient"])),
                 (film, "-", 1e9 * rows["film_center [m]"]),
                 (film, "--", 1e9 * rows["film_min [m]"]),
+                *((friction, style, rows[f"friction_{name} [N]"] / rows["load [N]"]) for name, style in parts.items()),
             ):
                 _in_regimes(axes, np.asarray(rows[column]), np.asarray(values), ratio, style, drawn)
         friction.set(xscale="log", yscale="log", xlabel=label, ylabel="friction coefficient (magnitude)")
@@ -152,7 +160,7 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
             heights = 1e9 * (table["film_min [m]"] / table["lambda_ratio"])
             films += _roughness(film, float(heights.dropna().iloc[0]))
         film.legend(handles=films, loc="upper left")
-        friction.legend(handles=loads)
+        friction.legend(handles=loads + [Line2D([], [], color="black", ls=style, label=name) for name, style in parts.items()])
         for axes in (friction, film):
             label_logarithmic(axes)
         return write(figure, path)
