@@ -139,11 +139,28 @@ def test_what_parameters_of_liquids_change(liquid, free, acts_like_load, numbers
     assert (factor != 1) == acts_like_load
 
 
+def test_what_parameters_change_on_a_substrate_that_remembers():
+    """Its time and the viscosity act like another load; a modulus that changes how much it stiffens has no curves."""
+    solid = {"stiffening": 3.0, "substrate_relaxation_time": 0.1}
+    model = small(free=("viscosity", "substrate_relaxation_time"), viscosity=2.0, **solid)
+    assert not model.plain
+    assert model.limited
+    start = model.first_guess()
+    model = replace(model, start=start)
+    assert model.moved(start | {"viscosity": 4.0}) == (pytest.approx(0.5), {})
+    assert model.moved(start | {"substrate_relaxation_time": 0.3}) == (pytest.approx(3), {})
+    assert small(free=("young_modulus",), viscosity=2.0, **solid).free == ("young_modulus",)
+    with pytest.raises(softlube.InputError, match="young_modulus change how much stiffer the substrate is"):
+        small(free=("young_modulus",), viscosity=2.0, prony="6 MPa @ 0.1 s")
+
+
 def test_rows_of_several_slide_to_roll_ratios():
-    """A liquid that thins has another film at each."""
+    """A liquid that thins, or a substrate that remembers, has another film at each."""
     data = Measurements.from_arrays([0.05, 0.05, 0.1, 0.1], [1e-4, 1e-3, 1e-4, 1e-3], [1e-4, 2e-4, 3e-4, 4e-4])
     several = replace(data, slide_to_roll=np.array([2.0, 2.0, 0.5, 0.5]))
     with pytest.raises(softlube.InputError, match="slide-to-roll ratio, and the rows have several"):
         make_model(several, **KNOWN, viscosity=2.0, **CARREAU)
+    with pytest.raises(softlube.InputError, match="slide-to-roll ratio, and the rows have several"):
+        make_model(several, **KNOWN, viscosity=2.0, prony="6 MPa @ 0.1 s")
     make_model(replace(data, slide_to_roll=np.full(4, 0.5)), **KNOWN, viscosity=2.0, **CARREAU)
     make_model(several, **KNOWN, viscosity=2.0)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import softlube
-from softlube.experiments.load_curve import load_curve
+from softlube.experiments.load_curve import LoadCurve, load_curve
 from softlube.experiments.load_family import LoadFamily, _between, load_family
 
 ROUGH = 0.02
@@ -48,6 +48,20 @@ def test_between_many_loads():
     beta = np.array([40.0, 300.0, 2000.0])
     value, error = curve.friction(beta)
     np.testing.assert_allclose(family.friction(loads[4], beta), value, atol=float(np.max(error)))
+
+
+def test_parts_of_the_friction_of_a_substrate_that_remembers():
+    """Of a curve C = 2 β^−0.4, P = −β^−0.5, and H = β^−0.1 that the substrate makes: each force has its parts of them."""
+    parts = {"total": lambda b: 2 * b**-0.4 + b**-0.5 + b**-0.1, "sphere": lambda b: 2 * b**-0.4 - b**-0.5}
+    parts["viscous"] = lambda b: 2 * b**-0.4 + b**-0.5
+    functions = {name: lambda b, part=part: (part(b), 0 * b) for name, part in parts.items()}
+    curves = [LoadCurve(1.0, 1e4, 2.0, functions)] * 2
+    family = LoadFamily(np.array([0.1, 0.2]), tuple(curves))
+    beta = np.array([3.0, 300.0])
+    c, p, h = 2 * beta**-0.4, -(beta**-0.5), beta**-0.1
+    for force, expected in (("total", c - p + h), ("sphere", c + p), ("couette", c)):
+        assert family.friction(0.14, beta, force=force) == pytest.approx(expected)
+    assert family.friction(0.14, beta, slide_to_roll=1.0) == pytest.approx(c / 2 - p + h)
 
 
 def test_beyond_its_ends_friction_goes_on_with_its_last_slope():

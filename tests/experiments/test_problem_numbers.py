@@ -36,6 +36,33 @@ def test_a_relaxation_time_acts_like_the_load():
     assert numbers(relaxation_time=0.02) == pytest.approx(numbers(0.1 * 2**1.5))
 
 
+@pytest.mark.parametrize(
+    "memory", [{"stiffening": 3.0, "substrate_relaxation_time": 0.1}, {"prony": "6 MPa @ 0.1 s; 1 MPa @ 2 s"}]
+)
+def test_what_a_substrate_remembers_goes_like_its_times_and_the_load_over_the_viscosity(memory):
+    """At β = 1 the speed is (2π/3) G δ²/(ηR), so the length over √(Rδ) goes like τGδ^1.5/η, and δ^1.5 like the load."""
+
+    def of(load=0.1, viscosity=2.0, speed=1e-3, **changed):
+        return numbers_of(
+            softlube.Contact(
+                radius=2e-3, young_modulus=3e6, load=load, viscosity=viscosity, speed=speed, **(memory | changed)
+            ).problem()
+        )
+
+    before, power = of(), powers(of(), of(0.1 * math.e))
+    lengths = [path for path in before if path[:2] == ("substrate", "lengths")]
+    assert len(lengths) == (1 if "stiffening" in memory else 2)
+    assert [power[path] for path in lengths] == pytest.approx([1] * len(lengths))
+    assert of(speed=2e-3) == pytest.approx(before)
+    factor, apart = moved(of(viscosity=4.0), before, power)
+    assert factor == pytest.approx(0.5)
+    assert apart == {}
+    if "stiffening" in memory:
+        factor, apart = moved(of(substrate_relaxation_time=0.3), before, power)
+        assert factor == pytest.approx(3)
+        assert apart == {}
+
+
 def test_index_and_viscosity_change_numbers_that_no_load_changes():
     before = numbers()
     power = powers(before, numbers(0.1 * math.e))

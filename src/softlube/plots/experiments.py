@@ -150,7 +150,7 @@ def plot_stribeck(table: pandas.DataFrame, path: str | os.PathLike[str] | None =
                 (friction, "-", np.abs(rows["friction_coefficient"])),
                 (film, "-", 1e9 * rows["film_center [m]"]),
                 (film, "--", 1e9 * rows["film_min [m]"]),
-                *((friction, style, rows[f"friction_{name} [N]"] / rows["load [N]"]) for name, style in parts.items()),
+                *((friction, each, np.abs(rows[f"friction_{name} [N]"]) / rows["load [N]"]) for name, each in parts.items()),
             ):
                 _in_regimes(axes, np.asarray(rows[column]), np.asarray(values), ratio, style, drawn)
         friction.set(xscale="log", yscale="log", xlabel=label, ylabel="friction coefficient (magnitude)")
