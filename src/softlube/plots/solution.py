@@ -34,6 +34,8 @@ MAP_RADIUS, PROFILE_RADIUS = 1.4, 2.0
 """Half the side of the maps and half the length of the profiles, over the contact radius; more under a thick film."""
 FILM_COLOUR, PRESSURE_COLOUR = "#0072B2", "#D55E00"  # Okabe & Ito, safe for colour-blind readers
 OVER = "#56B4E9"  # Okabe & Ito, too
+LONG = 40
+"""Characters of a legend above a map from which on it is set smaller."""
 RAYS = 241
 """Rays from the axis, over half a turn, on which a pressure with a spike is drawn."""
 STYLE = {
@@ -233,7 +235,8 @@ def _map(ax: Axes, solution: Solution, field: str) -> None:
         angle = np.linspace(0, 2 * np.pi, 200)
         ax.plot(dry.radius * np.cos(angle) * length, dry.radius * np.sin(angle) * length, "--", color="white", lw=0.7)
     ink = "black" if field == "film" else "white"  # on the brightest and the darkest colour of the maps
-    ax.set_title("; ".join(marks if field == "film" else marks[-1:]), loc="right", fontsize=7)
+    legend = "; ".join(marks if field == "film" else marks[-1:])
+    ax.set_title(legend, loc="right", fontsize=7 if len(legend) < LONG else 6)  # a panel's letter stands on its left
     ax.text(0.5, 0.025, "sphere slides →", transform=ax.transAxes, ha="center", color=ink, fontsize=7)
     ax.annotate(
         "inlet",
