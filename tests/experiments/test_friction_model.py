@@ -150,7 +150,7 @@ def test_what_parameters_change_on_a_substrate_that_remembers():
     assert model.moved(start | {"viscosity": 4.0}) == (pytest.approx(0.5), {})
     assert model.moved(start | {"substrate_relaxation_time": 0.3}) == (pytest.approx(3), {})
     assert small(free=("young_modulus",), viscosity=2.0, **solid).free == ("young_modulus",)
-    with pytest.raises(softlube.InputError, match="young_modulus change how much stiffer the substrate is"):
+    with pytest.raises(softlube.InputError, match="young_modulus change how much the substrate stiffens"):
         small(free=("young_modulus",), viscosity=2.0, prony="6 MPa @ 0.1 s")
 
 

@@ -36,18 +36,15 @@ Array = NDArray[np.floating]
 
 NOISE = ("relative", "absolute")
 ACCURACY = {True: 5e-3, False: 1.5e-2}
-"""Relative accuracy of the solutions behind the curve, for `Model.plain` contacts and for others: the friction is then good to
-0.1 or 0.3 %, far better than a measurement."""
+"""Relative accuracy of the solutions behind `Model.plain` curves and others: the friction is good to 0.1 or 0.3 %."""
 ROOM = {True: 4.0, False: 2.0}
 """How far, as a factor of β, the curve reaches beyond the data at first, for `Model.plain` contacts and for others, whose
 parameters are looked for nearby."""
 SPREAD = {True: 8.0, False: 3.0}
 """How far, as a factor of the load, curves reach beyond the data where a fitted parameter acts like another load, for
-`Model.plain` contacts and for others.  A thickness, a pressure coefficient or a relaxation time is so looked for within a
-factor of 2 or 3 of where the search is."""
+`Model.plain` contacts and for others: a thickness or a time is looked for within a factor of 2 or 3 of where the search is."""
 COARSE = 0.2
-"""Steps, in logarithm, of parameters for which curves are solved where contacts are not `Model.plain`, so that they are found
-again."""
+"""Steps, in logarithm, of the parameters of curves where contacts are not `Model.plain`, so that they are found again."""
 OFF_CENTRE = 0.6
 """Share of the reach of the curves beyond which they are solved again around what has been found."""
 PAPER_FIT = (4.806, 0.4398)
@@ -199,16 +196,13 @@ class Model:
         if now == self.start:
             return 1.0, {}
         factor, apart = moved(numbers_of(self.problem(now, 1.0)), self._numbers, self._powers)
-        changed = " and ".join(name for name in now if now[name] != self.start[name])
-        if factor is None:
+        stiffer = any(path[: len(SHARES)] == SHARES for path in apart)
+        if factor is None or stiffer:
+            changed = " and ".join(name for name in now if now[name] != self.start[name])
+            what = "how much the substrate stiffens" if stiffer else "the layer and the liquid each in its own way"
             raise InputError(
-                f"free: {changed} change the layer and the liquid each in its own way, and curves for both "
-                "changes are too many; hold one of them, or compare fits with several values of it"
-            )
-        if any(path[: len(SHARES)] == SHARES for path in apart):
-            raise InputError(
-                f"free: {changed} change how much stiffer the substrate is when it is loaded fast, for which there are no "
-                "curves; hold the modulus, or compare fits with several values of it"
+                f"free: {changed} change {what}, and curves for all are too many; hold one of them, or compare fits with "
+                "several values of it"
             )
         return factor, apart
 
