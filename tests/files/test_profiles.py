@@ -68,6 +68,7 @@ def test_a_file_that_is_not_there(tmp_path, capsys):
 def test_radii_of_both_signs_and_other_units(tmp_path):
     path = tmp_path / "trace.csv"
     path.write_text("z (nm), r / um\n10, -2\n0, 0\n12, 3\n")
-    r, z = read_profile(path)
+    r, z, scatter = read_profile(path)
+    assert scatter == 0
     assert r == pytest.approx([-2e-6, 0, 3e-6])
     assert z == pytest.approx([1e-8, 0, 1.2e-8])

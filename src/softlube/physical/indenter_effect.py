@@ -50,6 +50,11 @@ def notes(contact: Contact) -> list[str]:
         said.append(WOULD_CHANGE.format(share=radius / indenter.radius, effects=effects_of(effect(contact, true))))
     if isinstance(indenter, Profile) and radius:
         chosen, coarser = indenter.smoothed
+        if chosen.scatter:
+            said.append(
+                "the profile is a map's mean over the angle, from which its heights differ by "
+                f"{_short(chosen.scatter)} (root mean square)"
+            )
         if coarser != chosen:
             reference = indenter.reference_radius
             other = coarser.shape(contact.unit_height / reference, contact.reduced_radius / reference, reference)

@@ -113,11 +113,14 @@ class Smoothed:
         Of the B-splines on the positive side [m].
     deviation : float
         Root mean square of its distance from the measured heights [m].
+    scatter : float
+        Root mean square of the heights' distance from their mean over the angle [m]; 0 where a line was measured.
     """
 
     reach: float
     coefficients: tuple[float, ...]
     deviation: float
+    scatter: float = 0.0
 
     def outline(self, r: Array) -> tuple[Array, Array]:
         """Height over the axis [m] and slope at radii."""
@@ -208,11 +211,15 @@ def _check_rise(smoothed: Smoothed) -> None:
 
 
 class Profile(IndenterPart):
-    """An indenter whose profile was measured, smoothed: a CSV file with the columns r and z, and units in its header."""
+    """An indenter whose profile was measured, smoothed.
+
+    A CSV file has the columns r and z, and units in its header; line scans and maps of instruments take the extra topography.
+    """
 
     kind: ClassVar[str] = "profile"
     file: str = given(
-        'CSV file of the measured profile of an indenter, with columns headed as in "r [mm], z [um]"', flat="profile"
+        'CSV file of the measured profile of an indenter, with columns headed as in "r [mm], z [um]"; or a scan (.x3p, .sur)',
+        flat="profile",
     )
     tolerance: float | None = given(
         "Root mean square distance of the smoothed profile from the measured heights",
@@ -232,11 +239,13 @@ class Profile(IndenterPart):
     def checked(self, values: dict[str, Any]) -> dict[str, Any]:
         """The values with the smoothed profile, read from the file or taken from `spline`."""
         if values["spline"] is None:
-            r, z = readers["profile"](values["file"])
+            r, z, scatter = readers["profile"](values["file"])
             pair = smoothings(r, z, values["tolerance"])
             if values["tolerance"] is None:
                 values["tolerance"] = pair[0].deviation
-            values["spline"] = json.dumps([[each.reach, each.deviation, list(each.coefficients)] for each in pair])
+            values["spline"] = json.dumps(
+                [[each.reach, each.deviation, list(each.coefficients), *([scatter] if scatter else [])] for each in pair]
+            )
         self.smoothed_from(values["spline"])
         return super().checked(values)
 
@@ -251,13 +260,13 @@ class Profile(IndenterPart):
         """
         try:
             chosen, coarser = (
-                Smoothed(float(reach), tuple(map(float, coefficients)), float(deviation))
-                for reach, deviation, coefficients in json.loads(text)
+                Smoothed(float(reach), tuple(map(float, coefficients)), float(deviation), *map(float, scatter))
+                for reach, deviation, coefficients, *scatter in json.loads(text)
             )
         except (ValueError, TypeError):
             raise InputError("profile_spline: no smoothed profile of softlube; leave it out") from None
         for each in (chosen, coarser):
-            numbers = each.reach, each.deviation, *each.coefficients
+            numbers = each.reach, each.deviation, each.scatter, *each.coefficients
             if not (all(map(math.isfinite, numbers)) and each.reach > 0 and len(each.coefficients) > DEGREE // 2):
                 raise InputError("profile_spline: no smoothed profile of softlube; leave it out")
         _check_rise(chosen)
