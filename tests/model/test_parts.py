@@ -98,7 +98,7 @@ def test_liquids_that_are_none(given, message):
 
 def test_the_vocabulary_has_every_input_once():
     names = list(vocabulary(["substrate", "liquid"]))
-    assert names[:5] == ["young_modulus", "shear_modulus", "poisson_ratio", "substrate_radius", "prony"]
+    assert names[:5] == ["young_modulus", "shear_modulus", "poisson_ratio", "substrate_radius", "thickness"]
     assert len(names) == len(set(names))
     assert names[-1] == "viscosity_law"
     assert {kind.slot for kinds in Part.slots.values() for kind in kinds.values()} >= {

@@ -7,7 +7,8 @@ import softlube
 from softlube.discretization.system import ContactSystem
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Problem
-from softlube.model.substrates import ViscoelasticKernel
+from softlube.model.substrates import LayerKernel, ViscoelasticKernel
+from softlube.readout.energy import energy_balance
 from softlube.solvers.newton import newton
 from softlube.steady.mesh import grid_for
 from softlube.steady.regime import Regime
@@ -15,8 +16,9 @@ from softlube.steady.regime import Regime
 ACCURACY = 1e-3
 
 
-def solved(shares, lengths, **more):
-    return softlube.solve(substrate=ViscoelasticKernel(shares, lengths), accuracy=ACCURACY, **more)
+def solved(shares, lengths, layer=None, **more):
+    relaxed = {} if layer is None else {"relaxed": layer}
+    return softlube.solve(substrate=ViscoelasticKernel(shares, lengths, **relaxed), accuracy=ACCURACY, **more)
 
 
 @pytest.fixture(scope="module")
@@ -100,3 +102,31 @@ def test_light_loads_and_no_condition(beta):
     for cavitation in ("reynolds", "none"):
         solution = solved((0.6,), (2.0,), beta_load=beta, cavitation=cavitation)
         assert solution.friction_hysteresis > 0
+
+
+@pytest.mark.parametrize(("length", "share"), [(1e-7, 0.0), (1e9, 0.5)])
+@pytest.mark.parametrize("layer", [LayerKernel(1.0, 0.45), LayerKernel(0.5, 0.5, "frictionless"), LayerKernel(0.3)])
+def test_layers_have_the_limits_of_half_spaces(layer, length, share):
+    """All times → 0 is the relaxed layer, all times → ∞ the instantaneous one, with what it is stiffer by in β and the load."""
+    elastic = softlube.solve(beta=300.0 / (1 - share), substrate=layer, accuracy=3e-3)
+    ours = softlube.solve(beta=300.0, substrate=ViscoelasticKernel((0.5,), (length,), layer), accuracy=3e-3)
+    for name in ("film_center", "film_min", "film_outlet_min"):
+        assert ours.quantities[name] == pytest.approx(elastic.quantities[name], rel=1e-6), name
+    assert ours.load == pytest.approx(elastic.load / (1 - share), rel=1e-6)
+    assert abs(ours.friction_hysteresis) < 1e-4 * ours.friction_total
+
+
+def test_the_balance_of_energy_of_a_layer():
+    """The loss by internal variables, which knows nothing of the slope by which the friction is taken."""
+    kernel = ViscoelasticKernel((0.5,), (1.0,), LayerKernel(1.0, 0.45))
+    balance = energy_balance(softlube.solve(beta=300.0, substrate=kernel))
+    assert balance.imbalance == pytest.approx(0, abs=1e-4)
+    assert balance.substrate == pytest.approx(balance.hysteresis, rel=1e-3)
+
+
+def test_a_thicker_layer_comes_to_the_half_space(middle):
+    """The friction of the substrate differs by the thickness's reciprocal, times some."""
+    near, far = (solved((0.5,), (1.0,), LayerKernel(thickness), beta=1000.0) for thickness in (20.0, 40.0))
+    off = [each.friction_hysteresis / middle.friction_hysteresis - 1 for each in (near, far)]
+    assert abs(off[1]) < 0.05
+    assert off[0] == pytest.approx(2 * off[1], rel=0.2)

@@ -177,9 +177,7 @@ def _unknowns(regime: Regime, grid: PolarGrid, start: Array | None, history: lis
         return _thinned(regime, grid, history)
     if start is None and regime.problem.substrate.memory is not None and regime.beta > BLURRED_BETA:
         reached, arrived = _marched(regime, grid, sketch(regime.problem), history)
-        if not arrived:
-            raise _not_converged(regime, grid, history)
-        return reached.x
+        return reached.x if arrived else _settled(regime, ContactSystem(regime.problem, grid, regime.unit), history)
     system = ContactSystem(regime.problem, grid, regime.unit)
     result = newton(
         system,

@@ -12,6 +12,7 @@ from softlube.model.problem import Problem
 from softlube.model.substrates import (
     HalfSpace,
     HalfSpaceKernel,
+    LayerKernel,
     StandardLinearSolid,
     Viscoelastic,
     ViscoelasticKernel,
@@ -117,8 +118,8 @@ def test_the_substrate_is_chosen_by_its_inputs():
     inputs = {"young_modulus": "3 MPa", "stiffening": 4, "substrate_relaxation_time": "1 ms"}
     named = resolve(["substrate"], inputs)["substrate"]
     assert (type(by_series), type(named)) == (Viscoelastic, StandardLinearSolid)
-    with pytest.raises(InputError, match="prony, thickness: no substrate has both"):
-        resolve(["substrate"], {"young_modulus": "3 MPa", "thickness": "2 mm", "prony": "9 MPa @ 1 ms"})
+    with pytest.raises(InputError, match="prony, stiffening: no substrate has both"):
+        resolve(["substrate"], inputs | {"prony": "9 MPa @ 1 ms"})
 
 
 def test_the_kernel_remembers_over_speed_times_time():
@@ -158,3 +159,25 @@ def test_a_substrate_at_rest_under_the_contact_is_relaxed():
 def test_kernels_that_cannot_be(shares, lengths, message):
     with pytest.raises(InputError, match=message):
         ViscoelasticKernel(shares, lengths)
+
+
+def test_a_layer_remembers_like_a_half_space():
+    given = {"young_modulus": "3 MPa", "prony": "6 MPa @ 0.2 s", "thickness": "1 mm", "base": "frictionless"}
+    part = resolve(("substrate",), given)["substrate"]
+    assert isinstance(part, Viscoelastic)
+    kernel = part.kernel(1e-3, speed=0.01)
+    assert kernel.elastic == LayerKernel(1.0, 0.5, "frictionless")
+    assert kernel.lengths == Viscoelastic("3 MPa", prony="6 MPa @ 0.2 s").kernel(1e-3, speed=0.01).lengths
+    assert kernel.in_units(4.0).elastic.thickness == 0.5
+    assert from_plain(json.loads(json.dumps(to_plain(kernel)))) == kernel
+    assert from_plain({"kind": "viscoelastic", "shares": [0.5], "lengths": [1.0]}).elastic == HalfSpaceKernel()
+
+
+def test_layers_that_cannot_be():
+    series = {"young_modulus": "3 MPa", "prony": "6 MPa @ 0.2 s"}
+    with pytest.raises(InputError, match="base, thickness: 'frictionless' means nothing without a thickness"):
+        Viscoelastic(**series, base="frictionless")
+    with pytest.raises(InputError, match="fills the ball"):
+        Viscoelastic(**series, thickness="5 mm", radius="4 mm")
+    with pytest.raises(InputError, match="an elastic ball on a layer that remembers is not solved"):
+        Viscoelastic(**series, thickness="1 mm").kernel(1e-3, 0.5, 0.01)

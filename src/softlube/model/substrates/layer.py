@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, ClassVar, Literal, get_args
@@ -153,17 +154,28 @@ class Layer(SubstratePart):
 
     def checked(self, values: dict[str, Any]) -> dict[str, Any]:
         """The values; a layer on a ball is thinner than the ball is round."""
-        radius = values["radius"]
-        if radius is not None and 0 < radius <= values["thickness"]:
-            raise InputError(
-                f"thickness, substrate_radius: the layer, {values['thickness']:.4g} m thick, fills the ball whose outer radius "
-                f"is {radius:.4g} m; leave the thickness out"
-            )
+        check_thickness(values)
         return super().checked(values)
 
     def kernel(self, length_unit: float, share: float = 1.0, speed: float | None = None) -> LayerKernel:
         """Its thickness over the unit, its Poisson ratio, its base and its share."""
         return LayerKernel(self.thickness / length_unit, self.poisson_ratio, self.base, share)
+
+
+def check_thickness(values: Mapping[str, Any]) -> None:
+    """Check the inputs of a layer: one on a ball is thinner than the ball is round.
+
+    Raises
+    ------
+    InputError
+        If it is not.
+    """
+    radius, thickness = values["radius"], values["thickness"]
+    if radius is not None and 0 < radius <= thickness:
+        raise InputError(
+            f"thickness, substrate_radius: the layer, {thickness:.4g} m thick, fills the ball whose outer radius is "
+            f"{radius:.4g} m; leave the thickness out"
+        )
 
 
 def compliance_defect(kappa: Array, poisson_ratio: float = 0.5, base: Base = "bonded") -> Array:

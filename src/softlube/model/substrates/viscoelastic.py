@@ -1,4 +1,4 @@
-"""Viscoelastic half-spaces: linear, with any Prony series and a constant Poisson ratio.
+"""Viscoelastic half-spaces and layers: linear, with any Prony series and a constant Poisson ratio.
 
 The relaxation modulus E(t) = E_relaxed + ΣEᵢ e^(−t/τᵢ) multiplies the elastic law, so that its inverse, the creep compliance
 J(t) = J₀ + ΣJᵢ (1 − e^(−t/τᵢ′)), multiplies the elastic displacement.  A point at x was at x + vτ a time τ ago, so
@@ -6,22 +6,23 @@ in steady sliding
 
     w = J₀ wₑ + ΣJᵢ wᵢ,     wᵢ(x) = ∫₀^∞ e^(−s) wₑ(x + Lᵢ s) ds,     Lᵢ = v τᵢ′,
 
-with the displacement wₑ of an elastic half-space.  Normalised here with the relaxed modulus: J₀ + ΣJᵢ = 1.
+with the displacement wₑ of the elastic substrate.  Normalised here with the relaxed modulus: J₀ + ΣJᵢ = 1.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
-from typing import Any, ClassVar, NamedTuple
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar, NamedTuple, get_args
 
 from softlube.errors import InputError, shown
-from softlube.model.inputs import NUMBER, PRESSURE, TIME, Input, given
+from softlube.model.inputs import LENGTH, NUMBER, PRESSURE, TIME, Input, given
 from softlube.model.lazy import numpy as np
 from softlube.model.prefixes import shown as written
-from softlube.model.substrates.base import Array, Kernel, SubstratePart
+from softlube.model.substrates.base import Array, Kernel, Remainder, Substrate, SubstratePart
 from softlube.model.substrates.half_space import HalfSpaceKernel
+from softlube.model.substrates.layer import Base, LayerKernel, check_thickness
 
 MOST_TERMS = 100
 """Terms of a Prony series at most: three to a decade do for any material, over all the decades that there are."""
@@ -140,7 +141,7 @@ def relaxation_of(creep: Creep) -> tuple[float, tuple[Term, ...]]:
 
 @dataclass(frozen=True)
 class ViscoelasticKernel(Kernel):
-    """A viscoelastic half-space under steady sliding, normalised with its relaxed modulus.
+    """A viscoelastic half-space or layer under steady sliding, normalised with its relaxed modulus.
 
     Parameters
     ----------
@@ -148,6 +149,8 @@ class ViscoelasticKernel(Kernel):
         Jᵢ over the relaxed compliance, positive; J₀ = 1 − Σ shares is positive, too.
     lengths : tuple of float
         Lᵢ = vτᵢ′ over √(R × unit of height), not negative; Deborah numbers.
+    relaxed : Substrate
+        The elastic substrate that it is once relaxed: a half-space, or a layer all of one material.
 
     Raises
     ------
@@ -157,8 +160,9 @@ class ViscoelasticKernel(Kernel):
 
     shares: tuple[float, ...]
     lengths: tuple[float, ...]
+    relaxed: Substrate = field(default_factory=HalfSpaceKernel)
     kind: ClassVar[str] = "viscoelastic"
-    words: ClassVar[str] = "a viscoelastic half-space"
+    words: ClassVar[str] = "a viscoelastic substrate"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "shares", tuple(map(float, self.shares)))
@@ -181,7 +185,8 @@ class ViscoelasticKernel(Kernel):
 
     def in_units(self, unit: float) -> ViscoelasticKernel:
         """The same half-space with another unit of height, given over the present one."""
-        return replace(self, lengths=tuple(length / math.sqrt(unit) for length in self.lengths))
+        lengths = tuple(length / math.sqrt(unit) for length in self.lengths)
+        return replace(self, lengths=lengths, relaxed=self.relaxed.in_units(unit))
 
     def hastened(self, factor: float) -> ViscoelasticKernel:
         """The same half-space passing so many times as fast: its lengths grow by the factor."""
@@ -193,17 +198,18 @@ class ViscoelasticKernel(Kernel):
         return self if any(self.lengths) else None
 
     @property
-    def elastic(self) -> HalfSpaceKernel:
-        """The relaxed half-space."""
-        return HalfSpaceKernel()
+    def elastic(self) -> Substrate:
+        """The relaxed substrate."""
+        return self.relaxed
 
     @property
-    def remainder(self) -> None:
-        """None: the memory multiplies the elastic half-space's kernel."""
+    def remainder(self) -> Remainder | None:
+        """That of the relaxed substrate: the memory multiplies its kernel."""
+        return self.relaxed.remainder
 
     def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
-        """Nothing: C = 1."""
-        return np.empty(0), np.empty(0)
+        """That of the relaxed substrate."""
+        return self.relaxed.spectrum(reach)
 
 
 class PronyInput(Input):
@@ -259,7 +265,20 @@ _TIME = Input("Time of a term", TIME, "1 ms")
 
 
 class Remembering(SubstratePart):
-    """A viscoelastic half-space with the relaxed modulus that its inputs give."""
+    """A viscoelastic half-space or layer with the relaxed modulus that its inputs give."""
+
+    thickness: float | None = given(
+        "Thickness of the substrate, a layer on a rigid base", LENGTH, "2 mm", default=None, absent="a half-space"
+    )
+    base: Base = given("How a layer lies on its base", default="bonded", choices=get_args(Base))
+
+    def checked(self, values: dict[str, Any]) -> dict[str, Any]:
+        """The values; a half-space lies on no base, and a layer on a ball is thinner than the ball is round."""
+        if values["thickness"] is not None:
+            check_thickness(values)
+        elif values["base"] != "bonded":
+            raise InputError(f"base, thickness: {values['base']!r} means nothing without a thickness; give both or neither")
+        return super().checked(values)
 
     @property
     def creep(self) -> Creep:
@@ -272,26 +291,35 @@ class Remembering(SubstratePart):
         Raises
         ------
         InputError
-            If the contact is not steady, or the surface moves against the liquid.
+            If the contact is not steady, the surface moves against the liquid, or an elastic ball slides on a layer.
         """
         if speed is None:
             raise InputError(
-                "substrate: one that remembers is solved in steady sliding only; a film that changes with time would need what "
-                "it has of its past as further unknowns, which the integration in time does not have"
+                "substrate: one that remembers is solved in steady sliding only; the integration in time has no unknowns for "
+                "what it remembers. Give the relaxed modulus alone if the film is slow beside every time, the instantaneous "
+                "one if it is fast"
             )
         if speed < 0:
             raise InputError(
                 "slide_to_roll: below -2 a substrate that remembers moves against the liquid, which is not solved; expected a "
                 f"number from -2 on, got a substrate's speed of {speed:g} m/s"
             )
+        if share < 1 and self.thickness is not None:
+            raise InputError(
+                "thickness: an elastic ball on a layer that remembers is not solved, as the ball's compliance does not relax; "
+                "give a rigid ball, or leave the thickness out"
+            )
+        relaxed: Substrate = HalfSpaceKernel()
+        if self.thickness is not None:
+            relaxed = LayerKernel(self.thickness / length_unit, self.poisson_ratio, self.base)
         terms = self.creep.terms
         return ViscoelasticKernel(
-            tuple(share * each.weight for each in terms), tuple(speed * each.time / length_unit for each in terms)
+            tuple(share * each.weight for each in terms), tuple(speed * each.time / length_unit for each in terms), relaxed
         )
 
 
 class Viscoelastic(Remembering):
-    """A viscoelastic half-space: E(t) = E_relaxed + ΣEᵢ e^(−t/τᵢ); Young's modulus is the relaxed one.
+    """A viscoelastic half-space or layer: E(t) = E_relaxed + ΣEᵢ e^(−t/τᵢ); Young's modulus is the relaxed one.
 
     Beside a shear modulus the moduli of the series are shear moduli, Gᵢ.
     """
@@ -321,7 +349,7 @@ class Viscoelastic(Remembering):
 
 
 class StandardLinearSolid(Remembering):
-    """A viscoelastic half-space with one time: E(t) = E_relaxed + (E_instantaneous − E_relaxed) e^(−t/τ).
+    """A viscoelastic half-space or layer with one time: E(t) = E_relaxed + (E_instantaneous − E_relaxed) e^(−t/τ).
 
     Young's modulus is the relaxed one.
     """
