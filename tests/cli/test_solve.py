@@ -50,6 +50,16 @@ def test_json_is_one_object_and_nothing_else(capsys, contact, physical):
     assert data["dimensional"]["indentation"]["unit"] == "m"
 
 
+def test_json_says_what_the_true_sphere_would_change(capsys):
+    wide = ["--radius", "2 mm", "--young-modulus", "3 MPa", "--viscosity", "2 Pa s", "--speed", "0.1 mm/s", "--load", "100 mN"]
+    assert main(["solve", *wide, "--json"]) == 0
+    (note,) = json.loads(capsys.readouterr().out)["notes"]
+    assert note["text"].startswith("the contact's radius is 0.17 R")
+    film = note["relative_changes"]["film at the centre"]
+    assert film["value"] == pytest.approx(-0.0130, abs=5e-4)
+    assert 0 < film["error"] < 0.003
+
+
 def test_json_of_a_dimensionless_contact_has_no_dimensional_part(capsys):
     assert main(["solve", "--beta", "100", "--cavitation", "none", "--accuracy", "0.01", "--json"]) == 0
     data = json.loads(capsys.readouterr().out)

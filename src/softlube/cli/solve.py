@@ -114,7 +114,13 @@ def solve(
     if as_json:
         import json
 
-        print(json.dumps({"inputs": inputs} | solution.to_dict(), allow_nan=False), flush=True)
+        from softlube.physical import indenter_effect
+        from softlube.physical.contact import Contact
+
+        result = {"inputs": inputs} | solution.to_dict()
+        if isinstance(solution.contact, Contact):
+            result["notes"] = [note.plain() for note in indenter_effect.notes(solution.contact)]
+        print(json.dumps(result, allow_nan=False), flush=True)
     else:
         _report(solution, echo(inputs), seconds, [path for path in (output, plot) if path is not None])
     return 0
@@ -215,7 +221,7 @@ def _report(solution: Solution, inputs: str, seconds: float, files: Sequence[str
     console.print(_region(solution), markup=False)
     if isinstance(solution.contact, Contact):
         for note in indenter_effect.notes(solution.contact):
-            console.print(f"{note[0].upper()}{note[1:]}.", markup=False)
+            console.print(note.sentence(), markup=False)
     if "lambda_ratio" in solution.dimensional:
         from softlube.physical.roughness import lubrication
 

@@ -111,7 +111,7 @@ def squeeze(
     else:
         remarks, took = [], f"{result.time.size} time steps on {result.angles[-1]} angles in {seconds:.1f} s."
     if isinstance(result.setup, Setup):
-        remarks += [f"{note[0].upper()}{note[1:]}." for note in notes_in_time(result.setup, result.motion)]
+        remarks += [note.sentence() for note in notes_in_time(result.setup, result.motion)]
     print(echo(inputs))
     _report(result, " of sliding" if slides else "", remarks, [took, *(f"Wrote {printable(path)}" for path in written)])
     return 0

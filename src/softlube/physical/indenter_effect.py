@@ -6,8 +6,8 @@ Dry contacts are compared exactly, film and friction by the laws of the Hertz li
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 from softlube.model.indenters import Profile, Shape, Sphere, SphereShape
 from softlube.model.prefixes import shown
@@ -37,35 +37,67 @@ WOULD_CHANGE = (
 )
 
 
-def notes(contact: Contact) -> list[str]:
-    """What is to be said of a contact's indenter: sentences without a full stop, none for a narrow contact of a sphere."""
-    indenter, said = contact.indenter, []
+@dataclass(frozen=True)
+class Note:
+    """A sentence on the indenter, without a full stop.
+
+    Attributes
+    ----------
+    text : str
+        The sentence.
+    changes : mapping of str to pair of float
+        By what share another shape would change the contact, and the errors of that.
+    """
+
+    text: str
+    changes: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+
+    def sentence(self) -> str:
+        """With a capital and a full stop."""
+        return f"{self.text[0].upper()}{self.text[1:]}."
+
+    def plain(self) -> dict[str, Any]:
+        """For JSON."""
+        changes = {name: {"value": value, "error": error} for name, (value, error) in self.changes.items()}
+        return {"text": self.text, "relative_changes": changes}
+
+
+def notes(contact: Contact) -> list[Note]:
+    """What is to be said of a contact's indenter; nothing of a sphere's narrow contact."""
+    indenter, said = contact.indenter, list[Note]()
     radius = contact.dry_radius
     if not isinstance(indenter, Sphere):
         said.append(
-            f"lengths are normalised with the reference radius of the indenter, {_short(indenter.reference_radius)}, "
-            "as with the radius of a sphere"
+            Note(
+                f"lengths are normalised with the reference radius of the indenter, {_short(indenter.reference_radius)}, "
+                "as with the radius of a sphere"
+            )
         )
     elif (true := _true_shape(contact, contact.unit_height, radius)) is not None:
-        said.append(WOULD_CHANGE.format(share=radius / indenter.radius, effects=effects_of(effect(contact, true))))
+        changes = effect(contact, true)
+        said.append(Note(WOULD_CHANGE.format(share=radius / indenter.radius, effects=effects_of(changes)), changes))
     if isinstance(indenter, Profile) and radius:
         chosen, coarser = indenter.smoothed
         if chosen.scatter:
             said.append(
-                "the profile is a map's mean over the angle, from which its heights differ by "
-                f"{_short(chosen.scatter)} (root mean square)"
+                Note(
+                    "the profile is a map's mean over the angle, from which its heights differ by "
+                    f"{_short(chosen.scatter)} (root mean square)"
+                )
             )
         if coarser != chosen:
             reference = indenter.reference_radius
             other = coarser.shape(contact.unit_height / reference, contact.reduced_radius / reference, reference)
-            said.append(
+            changes = effect(contact, other)
+            text = (
                 f"the profile is smoothed to {_short(chosen.deviation)} (root mean square); with the next coarser smoothing, "
-                f"to {_short(coarser.deviation)}, would change: {effects_of(effect(contact, other))}"
+                f"to {_short(coarser.deviation)}, would change: {effects_of(changes)}"
             )
+            said.append(Note(text, changes))
     return said
 
 
-def notes_in_time(setup: Setup, motion: Motion) -> list[str]:
+def notes_in_time(setup: Setup, motion: Motion) -> list[Note]:
     """What is to be said of the indenter of a squeeze film: how the true sphere's deepest dry contact differs."""
     here = motion.deepest
     if here is None or not isinstance(setup.indenter, Sphere):
@@ -77,7 +109,7 @@ def notes_in_time(setup: Setup, motion: Motion) -> list[str]:
     there = replace(motion, indenter=true).deepest
     assert there is not None
     changes = _dry_changes(here, there, by_load=motion.control == "load")
-    return [WOULD_CHANGE.format(share=radius / setup.indenter.radius, effects=effects_of(changes))]
+    return [Note(WOULD_CHANGE.format(share=radius / setup.indenter.radius, effects=effects_of(changes)), changes)]
 
 
 def _true_shape(materials: Materials, unit_height: float, radius: float) -> SphereShape | None:
