@@ -6,7 +6,7 @@ of the substrate, and what their measurements say of it.
 
 A glass ball of 2 mm slides over PDMS (Sylgard 184, 10:1) of about 3 MPa under 18.6 to 238 mN at 0.025 to 1 mm/s; the liquid,
 taken with 2 Pa s, is PDMS base. Published numbers on how much the modulus of PDMS rises with the rate of loading do not agree.
-Loetters et al. (J. Micromech. Microeng. 7, 145, 1997) found virtually no change with frequency. Wang, Volinsky & Gallant
+Lötters et al. (J. Micromech. Microeng. 7, 145, 1997) found virtually no change with frequency. Wang, Volinsky & Gallant
 (J. Appl. Polym. Sci. 132, 41384, 2015; mixed 5:1) found 1.5 MPa when a tip is pressed in slowly, and 3.6 MPa when it
 oscillates. Kunzemann et al. (arXiv:2402.07555) have fitted a Prony series to Sylgard 184; such a series is given as
 ``prony="..."``.
