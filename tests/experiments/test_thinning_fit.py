@@ -54,3 +54,32 @@ def test_time_and_index_are_told_together_where_the_liquid_only_begins_to_thin(f
     found = fit(noisy(friction, 1, slow), **RIG, **START, free=tuple(TRUE), compare=False)
     assert not found.estimates["index"].determined
     assert any("relaxation_time and index" in each and "together" in each for each in found.verdicts)
+
+
+CARREAU = {"viscosity": 0.1, "infinite_viscosity": 0.005, "relaxation_time": 1e-2, "index": 0.4, "viscosity_law": "carreau"}
+LIMITED = {"viscosity": 1.0, "limiting_stress": 3e3}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("true", "start", "fastest", "points"),
+    [
+        (CARREAU, {"viscosity": 0.105, "infinite_viscosity": 0.0055}, 1.0, 9),
+        (LIMITED, {"viscosity": 0.95, "limiting_stress": 3.2e3}, 0.3, 8),
+    ],
+    ids=["second plateau", "limiting stress"],
+)
+def test_a_second_plateau_and_a_limiting_stress_are_recovered(true, start, fastest, points):
+    """Two loads, 3 % of noise; the slow rows alone do not tell the second plateau, and that is said."""
+    contact = softlube.Contact(**RIG, **true, motion=softlube.Sliding(1.0), load=0.3)
+    table = softlube.stribeck_curve(contact, [0.3, 3.0], slowest=1e-3, fastest=fastest, points=points, accuracy=2e-3)
+    load, speed, force = (table[each].to_numpy() for each in ("load [N]", "entrainment_speed [m/s]", "friction [N]"))
+    data, given = Measurements.from_arrays(load, 2 * speed, force), RIG | true | start
+    found = fit(noisy(data, 0), **given, free=tuple(start), compare=False)
+    for name, estimate in found.estimates.items():
+        assert estimate.determined
+        assert estimate.low <= true[name] <= estimate.high
+    if true is CARREAU:
+        slow = fit(noisy(data, 0, data.speed < 0.02), **given, free=tuple(start), compare=False)
+        assert slow.estimates["viscosity"].determined
+        assert any("do not determine infinite_viscosity" in verdict for verdict in slow.verdicts)
