@@ -95,12 +95,12 @@ def optimise(model: Parametric, start: Mapping[str, float], *, robust: bool = Fa
     NotConvergedError
         If the search does not end.
     """
-    x = model.vector(start)
+    bounds = model.bounds()
+    x = np.clip(model.vector(start), *bounds)  # a start on a bound may be beyond it by round-off
 
     def residuals(x: Array) -> Array:
         return model.residuals(model.values(x))
 
-    bounds = model.bounds()
     jacobian = np.empty((len(model.data), x.size))
     # A robust fit takes the scatter from the residuals around the fit before, in which outliers had little say.
     for _ in range(ROBUST_ROUNDS if robust else 1):
