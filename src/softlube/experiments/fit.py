@@ -344,9 +344,10 @@ def verdicts(found: Fit) -> tuple[str, ...]:
         for k in range(i + 1, len(names)):
             c = float(found.correlation[i, k])
             text = f"Correlation of {first} and {names[k]}: {c:+.3f}"
-            if abs(c) > TIED:
-                text += ", so that the data determine them together and hardly each by itself"
-                text += TOGETHER.get(frozenset((first, names[k])), "")
+            reason = TOGETHER.get(frozenset((first, names[k])), "")
+            neither = not (found.estimates[first].determined or found.estimates[names[k]].determined)
+            if abs(c) > TIED or (neither and reason):  # where no value is the best, its correlation tells of that place only
+                text += f", so that the data determine them together and hardly each by itself{reason}"
             result.append(text + ".")
     if all(estimate.determined for estimate in found.estimates.values()):
         result.append("The data determine " + ", ".join(names) + f" within the interval{'s' if len(names) > 1 else ''} stated.")
