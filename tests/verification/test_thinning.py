@@ -131,7 +131,9 @@ def test_quoted_errors_hold():
             break
         uncertain = [name for name, each in found.items() if each.error > 0]
         counted += len(uncertain)
-        held += sum(abs(found[name] - exact[name]) <= found[name].error + 1e-12 * abs(exact[name]) for name in uncertain)
+        for name in uncertain:
+            stated = found[name].error + exact[name].error  # the finest has an error, too, as in benchmarks/coverage.py
+            held += abs(found[name] - exact[name]) <= stated + 1e-12 * abs(exact[name])
     assert counted > 900
     assert held >= 0.95 * counted
 

@@ -47,6 +47,8 @@ class Convergence:
 
 SMOOTH = Convergence(order=2, smooth=True)
 """The scheme is of fourth order where the pressure is smooth, and of second at the free boundary."""
+PLACES = dict.fromkeys((name for name, row in QUANTITIES.items() if row.place), Convergence(order=1))
+"""Where an extremum lies, which is flat there: a place is found an order worse than the value."""
 AT_THE_BOUNDARY = dict.fromkeys(("film_outlet_min", "shear_rate_max"), Convergence(order=2))
 """The extrema where the liquid leaves the contact, at the free boundary: its place within a cell decides their errors."""
 CANCELLING = dict.fromkeys(FRICTIONS, Convergence(order=2, smooth=True, least=1e-6))
@@ -110,7 +112,7 @@ def estimate_errors(
     exact : str
         A quantity that is prescribed.
     convergence : mapping of str to Convergence, optional
-        How some quantities converge; else as in `AT_THE_BOUNDARY`, `CANCELLING` and `SMOOTH`.
+        How some quantities converge; else as in `PLACES`, `AT_THE_BOUNDARY`, `CANCELLING` and `SMOOTH`.
 
     Returns
     -------
@@ -119,7 +121,7 @@ def estimate_errors(
     """
     estimates = {}
     for name in levels[-1]:
-        rate = (AT_THE_BOUNDARY | CANCELLING | dict(convergence or {})).get(name, SMOOTH)
+        rate = (PLACES | AT_THE_BOUNDARY | CANCELLING | dict(convergence or {})).get(name, SMOOTH)
         error = error_of([level[name] for level in levels], angles, rate)
         estimates[name] = 0.0 if name == exact else max(error, rate.least * yardstick(name, levels[-1]))
     return estimates
