@@ -17,6 +17,7 @@ from softlube.steady.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.contour import QuadContourSet
     from matplotlib.figure import Figure
 
 Array = NDArray[np.floating]
@@ -166,16 +167,9 @@ def thinned(ax: Axes, solution: Solution, what: str, *, length: float = 1.0, uni
     else:
         values = np.min(flow.viscosity(solution, r, theta, level=level), axis=0)
         scale, label = 1.0, "viscosity at the walls over that at rest"
-    shown = np.log10(values * scale)
-    mesh = ax.contourf(x * length, y * length, shown, levels=24, cmap="cividis")
-    mesh.set_edgecolor("face")
-    bar = ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.8, label=f"log₁₀ of the {label}", pad=0.03)
-    bar.ax.locator_params(axis="x", nbins=5)
-    ax.set(aspect="equal", xlabel=rf"$x{unit}$", ylabel=rf"$y{unit}$")
-    inlet_right(ax)
-    thin = np.s_[::4, ::4]
+    mesh = ax.contourf(x * length, y * length, np.log10(values * scale), levels=24, cmap="cividis")
     column = "shear rate [v/|h0|]" if what == "rate" else "viscosity [eta]"
-    return {"x [sqrt(R|h0|)]": x[thin].ravel(), "y [sqrt(R|h0|)]": y[thin].ravel(), column: values[thin].ravel()}
+    return _finished(ax, mesh, f"log₁₀ of the {label}", unit, x, y, column, values)
 
 
 def lost(ax: Axes, solution: Solution, where: str, *, length: float = 1.0, unit: str = LENGTH) -> Columns:
@@ -210,14 +204,19 @@ def lost(ax: Axes, solution: Solution, where: str, *, length: float = 1.0, unit:
     levels = np.linspace(0.0 if where == "film" else -highest, highest, 25)
     colours = "cividis" if where == "film" else "RdBu_r"
     mesh = ax.contourf(x * length, y * length, values * scale, levels=levels, cmap=colours, extend="both")
-    mesh.set_edgecolor("face")
     what = "loss in the liquid" if where == "film" else "work taken by the substrate"
-    bar = ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.8, label=f"{what} {label}", pad=0.03)
+    column = f"{'dissipation' if where == 'film' else 'work'} per area [(2 pi/3) G v |h0|/R]"
+    return _finished(ax, mesh, f"{what} {label}", unit, x, y, column, values)
+
+
+def _finished(ax: Axes, mesh: QuadContourSet, label: str, unit: str, x: Array, y: Array, column: str, values: Array) -> Columns:
+    """Colour bar and axes of a map in the plane, and its data."""
+    mesh.set_edgecolor("face")
+    bar = ax.figure.colorbar(mesh, ax=ax, location="top", shrink=0.8, label=label, pad=0.03)
     bar.ax.locator_params(axis="x", nbins=5)
     ax.set(aspect="equal", xlabel=rf"$x{unit}$", ylabel=rf"$y{unit}$")
     inlet_right(ax)
     thin = np.s_[::4, ::4]
-    column = f"{'dissipation' if where == 'film' else 'work'} per area [(2 pi/3) G v |h0|/R]"
     return {"x [sqrt(R|h0|)]": x[thin].ravel(), "y [sqrt(R|h0|)]": y[thin].ravel(), column: values[thin].ravel()}
 
 
