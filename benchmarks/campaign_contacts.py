@@ -1,76 +1,195 @@
-"""Sound contacts at random over all models, at a low accuracy: each converges to what independent checks find, or says why not.
+"""Sound contacts at random over all models: each converges to its accuracy and passes independent checks, or says why not.
 
-Half-spaces and layers, constant viscosity, Barus and Roelands, constant density and Dowson & Higginson, rigid and elastic
-balls, cups, sliding and rolling, load, indentation, touch and gap, both cavitation conditions.
+Indenters: paraboloids, true spheres, rⁿ, rounded punches and cones, measured profiles; rigid and elastic.  Substrates:
+half-spaces and layers, elastic and viscoelastic, flat, balls and cups.  Liquids: constant viscosity, Barus, Roelands, power
+law, Carreau, Carreau & Yasuda, Cross, Eyring, each of these alone or on top of Barus or Roelands; a limiting shear stress;
+constant density and Dowson & Higginson.  Sliding and rolling; load, indentation, touch and gap; both cavitation conditions.
+
+A refusal that names an accuracy is held to it: the contact is solved again with that, and is wrong if that is refused, too.
+One contact in ten is solved on much finer grids (`fine_grid.reference`), and every quantity that has an error is compared.
 """
 
 from __future__ import annotations
 
+import re
+from collections import Counter
+from math import atan, degrees, log
 from pathlib import Path
 from random import Random
 from typing import Any
 
 import numpy as np
+from fine_grid import reference
 
 import softlube
 from softlube import curve
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.liquids.roelands import ROELANDS_PRESSURE, ROELANDS_VISCOSITY
+from softlube.model.quantities import QUANTITIES
+from softlube.physical.inputs import BODIES
+from softlube.steady.regime import Regime
 
-ACCURACY = 0.05
+ACCURACIES = {1e-3: 0.7, 3e-3: 0.15, 1e-2: 0.15}
+"""Accuracies that are asked for, the default one first, with their shares."""
+COMPARED = 10
+"""One contact of so many is compared with finer grids, of `FINE_ANGLES` angles."""
+FINE_ANGLES = 48
 TOLERANCE = 0.1
 """Relative difference from the trapezoids that a load may have: they are rough."""
+NAMED = re.compile(r"accuracy=([0-9.e+-]*[0-9])")
+"""The accuracy that a refusal names."""
+Told = tuple[str, str, None, Counter[str]]
 
 
-def contact(seed: int, number: int, folder: Path) -> tuple[str, str]:
-    """One contact, solved and checked."""
-    given = inputs(Random(f"{seed} contacts {number}"))
+def contact(seed: int, number: int, folder: Path) -> Told:
+    """One contact, solved and checked: a verdict, a line, and how often each thing was seen."""
+    rng = Random(f"{seed} contacts {number}")
+    given = inputs(rng, folder)
+    accuracy = rng.choices(list(ACCURACIES), list(ACCURACIES.values()))[0]
+    seen = Counter([f"accuracy {accuracy:g}"])
+    case, refusal = f"accuracy={accuracy:g}, {given}", ""
     try:
-        problem = softlube.Contact(**given).problem()
-        solution = softlube.Contact(**given).solve(accuracy=ACCURACY)
-    except (NotConvergedError, InputError) as error:
-        return "refused", f"{given}: {error}"
+        asked = softlube.Contact(**given)
+        problem = asked.problem()
+    except InputError as error:
+        return "refused", f"{case}: {error}", None, seen + Counter([f"refused, input: {without_numbers(error)}"])
+    seen.update(f"{slot}: {getattr(asked, slot).kind}" for slot in BODIES)
+    try:
+        solution = asked.solve(accuracy=accuracy)
+    except NotConvergedError as error:
+        refusal, named = str(error), NAMED.search(str(error))
+        if named is None:
+            return "refused", f"{case}: {refusal}", None, seen + Counter([f"refused: {without_numbers(error)}"])
+        try:
+            solution = asked.solve(accuracy=float(named[1]))
+        except NotConvergedError as error:
+            return "WRONG", f"{case}: {refusal} And then: {error}", None, seen
+        seen["refused, the accuracy that is named works"] += 1
     wrong = disagreement(given, problem, solution)
-    return ("WRONG", f"{given}: {wrong}") if wrong else ("taken", "")
+    if not wrong and number % COMPARED == 0:
+        wrong, found = beside_finer_grids(problem, solution)
+        seen += found
+    if wrong:
+        return "WRONG", f"{case}: {wrong}", None, seen
+    return ("refused", f"{case}: {refusal}", None, seen) if refusal else ("taken", "", None, seen)
 
 
-def inputs(rng: Random) -> dict[str, Any]:
-    """A contact whose slope is small, with β between 10⁻² and 10⁶ or nearly so, soft, or hard with an oil of Roelands."""
+def without_numbers(error: Exception) -> str:
+    """The first sentence of a message, so that alike ones are counted together."""
+    return re.sub(r"[-+]?\b[\d.]+(e[-+]?\d+)?\b", "…", str(error).partition(". ")[0])
+
+
+def inputs(rng: Random, folder: Path) -> dict[str, Any]:
+    """A contact of a small slope, with β′ of the liquid at rest and the relaxed substrate between 10⁻² and 10⁶, or nearly so.
+
+    Parameters
+    ----------
+    rng : Random
+        What decides.
+    folder : Path
+        Where a measured profile is written.
+    """
     hard = rng.random() < 0.15
-    radius, modulus = 10 ** rng.uniform(-4, -1), 10 ** (rng.uniform(9.5, 11.3) if hard else rng.uniform(4, 8))
-    depth = radius * 10 ** rng.uniform(-4, -1.7)
-    viscosity, beta = 10 ** rng.uniform(-3, 2), 10 ** rng.uniform(-2, 6)
-    speed = 2 / 3 * depth**2 / radius * np.pi * modulus / 3 / (viscosity * beta)
-    given: dict[str, Any] = {"radius": radius, "young_modulus": modulus, "viscosity": viscosity}
+    radius, slope = 10 ** rng.uniform(-6, -2), 10 ** rng.uniform(-2, -0.85)  # of the contact, and at its edge
+    modulus, viscosity = 10 ** (rng.uniform(9.5, 11.3) if hard else rng.uniform(4, 8)), 10 ** rng.uniform(-3, 2)
+    given: dict[str, Any] = indenter(rng, radius, slope, folder) | {"young_modulus": modulus}
     given["cavitation"] = rng.choice(["reynolds", "reynolds", "none"])
-    way = rng.choices(["load", "indentation", "gap", "touch"], [6, 3, 1, 0.5])[0]
-    if way == "load":
-        given["load"] = 16 / 9 * modulus * depth * np.sqrt(radius * depth)
-    else:
-        given["indentation"] = {"indentation": depth, "gap": -depth, "touch": 0.0}[way]
-    if rng.random() < 0.35:
-        given["thickness"] = np.sqrt(radius * depth) * 10 ** rng.uniform(-0.3, 1.3)
-        given["poisson_ratio"] = rng.choice([0.3, 0.45, 0.49, 0.5])
+    thickness = radius * 10 ** rng.uniform(-0.3, 1.3)
+    if rng.random() < 0.3:
+        given |= {"thickness": thickness, "poisson_ratio": rng.choice([0.3, 0.45, 0.49, 0.5])}
         given["base"] = rng.choice(["bonded", "frictionless"])
-    pressure = 4 / (3 * np.pi) * modulus * np.sqrt(depth / radius)
-    if hard:
-        exponent = min(rng.uniform(0.2, 0.9), 10 * ROELANDS_PRESSURE / pressure)
-        given["pressure_viscosity"] = exponent * np.log(viscosity / ROELANDS_VISCOSITY) / ROELANDS_PRESSURE
-        given["viscosity_law"] = "roelands"
-    elif rng.random() < 0.25:
-        given["pressure_viscosity"] = 10 ** rng.uniform(-1, 1) / pressure
-    if rng.random() < 0.25:
-        given["density_law"] = "dowson-higginson"
     if rng.random() < 0.2:
         given |= {"ball_young_modulus": modulus * 10 ** rng.uniform(-0.5, 2), "ball_poisson_ratio": rng.choice([0.3, 0.5])}
     if rng.random() < 0.1:
-        given["substrate_radius"] = rng.choice([3.0, -3.0]) * radius
-    if rng.random() < 0.2:
-        given |= {"entrainment_speed": speed / 2, "slide_to_roll": rng.choice([-1.0, 0.0, 0.5, 2.0])}
+        # Blunt and flat indenters would touch the rim of a cup, not its ground.
+        given["substrate_radius"] = rng.choice([3.0, -3.0] if "radius" in given else [3.0]) * radius / slope
+    depth, height = radius * slope, rng.choices([-1, 1, 0], [9, 1, 0.5])[0]
+    dry = softlube.Contact(**given, indentation=depth, viscosity=viscosity, speed=1.0)
+    contact = Regime.of(dry.problem()).dry
+    speed = contact.like_hertz(dry.beta(depth, 1.0)) / 10 ** rng.uniform(-2, 6)
+    if height == -1 and rng.random() < 0.67:
+        given["load"] = contact.load * dry.scales(depth)["load"][0]
     else:
-        given["speed"] = speed
+        given["indentation"] = -height * depth
+    given |= liquid(rng, viscosity, speed / depth, modulus * slope, hard)
+    if rng.random() < 0.25:
+        given["density_law"] = "dowson-higginson"
+    slide_to_roll = rng.choice([-1.0, 0.0, 0.5, 2.0])
+    rolls = rng.random() < 0.3
+    given |= {"entrainment_speed": speed / 2, "slide_to_roll": slide_to_roll} if rolls else {"speed": speed}
+    # The compliance of a ball does not relax with that of a layer.
+    if rng.random() < 0.2 and not given.keys() >= {"thickness", "ball_young_modulus"}:
+        given |= memory(rng, modulus, radius / (speed * (2 + (slide_to_roll if rolls else 2.0)) / 4))
     return given
+
+
+def indenter(rng: Random, radius: float, slope: float, folder: Path) -> dict[str, Any]:
+    """An indenter with a slope, about, at a radius [m], where the contact has its edge."""
+    kind = rng.choices(["paraboloid", "sphere", "power", "punch", "cone", "profile"], [10, 2, 2, 2, 2, 1])[0]
+    if kind == "sphere":
+        return {"radius": radius / slope, "true_shape": True}
+    if kind == "power":
+        exponent = rng.uniform(2.2, 6)
+        return {"profile_exponent": exponent, "profile_coefficient": slope / (exponent * radius ** (exponent - 1))}
+    if kind == "punch":
+        face = radius * rng.uniform(0.3, 0.8)
+        return {"face_radius": face, "edge_radius": (radius - face) / slope}
+    if kind == "cone":
+        tip = radius / slope * 10 ** rng.uniform(-0.8, 0)
+        return {"tip_radius": tip, "flank_angle": degrees(atan(slope)), "base_radius": radius * rng.uniform(1.5, 4)}
+    if kind == "profile":
+        share, r = rng.uniform(0, 0.5), np.linspace(0, 3 * radius, 80)
+        z = slope * radius / 2 * ((1 - share) * (r / radius) ** 2 + share / 2 * (r / radius) ** 4)
+        np.savetxt(folder / "profile.csv", np.c_[r, z], "%.8e", ",", header="r [m], z [m]", comments="")
+        return {"profile": str(folder / "profile.csv")}
+    return {"radius": radius / slope}
+
+
+def liquid(rng: Random, viscosity: float, rate: float, pressure: float, hard: bool) -> dict[str, Any]:
+    """A liquid with a viscosity [Pa s] at a shear rate [1/s], that thickens within some pressures [Pa]."""
+    given: dict[str, Any] = {}
+    roelands = log(viscosity / ROELANDS_VISCOSITY) / ROELANDS_PRESSURE  # with the exponent 1
+    if hard:
+        given = {"viscosity_law": "roelands", "pressure_viscosity": min(rng.uniform(0.2, 0.9), 8e8 / pressure) * roelands}
+    elif rng.random() < 0.25:
+        given = {"pressure_viscosity": 10 ** rng.uniform(-1, 1) / pressure}
+    kind = rng.choice(["power-law", "carreau", "carreau-yasuda", "cross", "eyring"]) if rng.random() < 0.4 else "newtonian"
+    if kind == "newtonian":
+        given["viscosity"] = viscosity
+    else:
+        if given:
+            given["pressure_law"] = given.pop("viscosity_law", "barus")
+        given |= {"viscosity_law": kind} | thinning(rng, kind, viscosity, rate)
+    if rng.random() < 0.15:
+        stress = viscosity * rate * 10 ** rng.uniform(-1, 2)
+        given |= {"limiting_stress": stress, "limiting_coefficient": rng.choice([0.0, 0.05])}
+    return given
+
+
+def thinning(rng: Random, kind: str, viscosity: float, rate: float) -> dict[str, Any]:
+    """A liquid that has thinned a little or much at a shear rate [1/s]."""
+    index = rng.uniform(0.35, 0.95)
+    if kind == "power-law":
+        return {"consistency": viscosity * rate ** (1 - index), "index": index}
+    given = {"viscosity": viscosity}
+    if kind == "eyring":
+        return given | {"eyring_stress": viscosity * rate / 10 ** rng.uniform(-1, 1.5)}
+    given |= {"relaxation_time": 10 ** rng.uniform(-1, 2) / rate, "index": index}
+    if kind == "carreau-yasuda":
+        given["transition"] = rng.uniform(0.5, 4)
+    if rng.random() < 0.5:
+        given["infinite_viscosity"] = viscosity * 10 ** rng.uniform(-3, -0.3)
+    return given
+
+
+def memory(rng: Random, modulus: float, time: float) -> dict[str, Any]:
+    """A substrate whose modulus falls by a factor of 1.2 to 10, within times near the one [s] in which the contact passes."""
+    rise = 10 ** rng.uniform(0.08, 1) - 1
+    if rng.random() < 0.3:
+        return {"stiffening": 1 + rise, "substrate_relaxation_time": time * 10 ** rng.uniform(-1.5, 1.5)}
+    parts = [rng.random() for _ in range(rng.randint(1, 4))]
+    return {"prony": [(rise * modulus * part / sum(parts), time * 10 ** rng.uniform(-1.5, 1.5)) for part in parts]}
 
 
 def disagreement(given: dict[str, Any], problem: softlube.Problem, solution: softlube.Solution) -> str:
@@ -87,34 +206,51 @@ def disagreement(given: dict[str, Any], problem: softlube.Problem, solution: sof
             return f"the load in SI is {solution.dimensional['load']}"
     elif abs(float(solution.dimensional["indentation"]) - given["indentation"]) > 1e-9 * abs(given["indentation"]):
         return f"the indentation is {solution.dimensional['indentation']}"
-    # The load once more, by trapezoids over the nodes and r⁻³ beyond them; without the condition the pressures nearly cancel.
+    # The load once more, by trapezoids over the nodes and r⁻³ beyond them, which holds where the viscosity rises no more;
+    # without the condition the pressures nearly cancel.
     rings = np.trapezoid(fields.pressure, fields.theta, axis=1) * 2 * fields.r
     load = float(np.trapezoid(rings, fields.r) + fields.r[0] * rings[0] / 2 + rings[-1] * fields.r[-1])
     size = float(np.trapezoid(np.abs(rings), fields.r))
-    if abs(load - fields.load) > TOLERANCE * max(size, abs(fields.load)):
+    if abs(load - fields.load) > TOLERANCE * max(size, abs(fields.load)) and not Regime.of(problem).thickens_outwards:
         return f"the pressures carry {load:.4g} and the load is {fields.load:.4g}"
-    return _curve(given, problem, solution) if not given.keys() & LAWS and problem.height < 0 else _bounds(quantities)
-
-
-LAWS = {"thickness", "pressure_viscosity", "density_law"}
-"""Inputs of contacts that the master curve does not have."""
-
-
-def _curve(given: dict[str, Any], problem: softlube.Problem, solution: softlube.Solution) -> str:
-    """The master curve, which was made at a hundred times the accuracy."""
-    by = {"beta_load": problem.beta_load} if problem.load_controlled else {"beta": problem.beta}
-    for name in ("film_center", "film_min", "pressure_max"):
-        expected, error = curve.evaluate(name, **by, cavitation=given["cavitation"])
-        found = solution.quantities[name]
-        if abs(found - expected) > 1.5 * found.error + error + 0.02 * abs(expected):
-            return f"{name} is {found}, on the master curve {float(expected):.6g}"
-    return ""
-
-
-def _bounds(quantities: Any) -> str:
-    """What holds for every liquid and substrate."""
     if float(quantities["film_min"]) > float(quantities["film_center"]) + quantities["film_min"].error:
         return "the minimum film is more than the film at the centre"
     if float(quantities["pressure_center"]) > float(quantities["pressure_max"]) + quantities["pressure_max"].error:
         return "the pressure at the centre is more than the largest"
+    papers = not any(isinstance(part, dict) for part in problem.to_plain().values())
+    return _curve(given, problem, solution) if papers and problem.height < 0 else ""
+
+
+def _curve(given: dict[str, Any], problem: softlube.Problem, solution: softlube.Solution) -> str:
+    """The master curve of the paper's model, which was made at a tenth of the default accuracy."""
+    by = {"beta_load": problem.beta_load} if problem.load_controlled else {"beta": problem.beta}
+    for name in ("film_center", "film_min", "pressure_max"):
+        expected, error = curve.evaluate(name, **by, cavitation=given["cavitation"])
+        found = solution.quantities[name]
+        if abs(found - expected) > 2 * (found.error + error):
+            return f"{name} is {found}, on the master curve {float(expected):.6g}"
     return ""
+
+
+def beside_finer_grids(problem: softlube.Problem, solution: softlube.Solution) -> tuple[str, Counter[str]]:
+    """What lies outside twice its error, in words; and how many values there are, and lie within their error."""
+    seen: Counter[str] = Counter()
+    try:
+        fine = reference(problem, FINE_ANGLES)
+    except NotConvergedError as error:
+        return "", Counter([f"no finer solution: {without_numbers(error)}"])
+    seen["compared with a finer solution"] += 1
+    outside = []
+    for name, (value, uncertainty) in fine.items():
+        found = solution.quantities[name]
+        if found.error > 0:
+            kind = "place" if QUANTITIES[name].place else "value"
+            off = max(abs(found - value) - uncertainty, 0.0) / found.error
+            seen.update([f"{kind}s", *([f"{kind}s within their error"] if off <= 1 else [])])
+            if off > 2:
+                seen[f"{kind}s outside twice their error"] += 1
+                seen[f"outside twice: {name}"] += 1
+                outside.append(
+                    f"{name} = {float(found):.8g} ± {found.error:.1e}, on finer grids {value:.8g} ± {uncertainty:.1e}"
+                )
+    return "; ".join(outside), seen

@@ -3,12 +3,15 @@
 import numpy as np
 import pytest
 
+from softlube.model.indenters import PowerShape, RoundedConeShape
 from softlube.model.liquids import BarusLaw, CarreauYasudaLaw, NewtonianLaw, OstwaldLaw
 from softlube.model.problem import Problem
 from softlube.model.substrates import LayerKernel
+from softlube.steady.error_estimate import GRIDS
 from softlube.steady.level import solve_level
 from softlube.steady.mesh import grid_for
 from softlube.steady.regime import Regime
+from softlube.steady.solve import solve_problem
 
 
 def test_a_half_space_is_its_own_yardstick():
@@ -65,3 +68,18 @@ def test_the_first_height_is_near(beta_load, within, cavitation):
     assert Regime.of(problem).first_height == pytest.approx(
         values["height"], abs=within * max(abs(values["height"]), values["film_center"], 1)
     )
+
+
+def test_a_cone_that_floats_high_is_the_paraboloid_beyond_its_base():
+    """There f = kr²/2 but for a constant, and a rigid paraboloid's film under a load goes like 1/(β²k³)."""
+    cone, beta_load = RoundedConeShape(0.01, 1.0, 0.05, 0.3), 0.1
+    curvature = float(cone.slope(1e3)) / 1e3
+    ball = solve_problem(Problem(beta_load=beta_load * curvature**1.5))
+    film = solve_problem(Problem(beta_load=beta_load, indenter=cone)).film_center
+    assert film == pytest.approx(float(ball.film_center), rel=2e-3)
+
+
+@pytest.mark.parametrize("given", [{"beta_load": 0.03}, {"beta": 0.03}, {"beta": 1e3, "height": 1}])
+def test_a_light_contact_of_a_blunt_indenter_takes_three_grids(given):
+    """The mesh follows the width of the pressure, which is that of the gap."""
+    assert len(solve_problem(Problem(**given, indenter=PowerShape(0.1, 1.0, 4.0))).levels) == GRIDS

@@ -10,6 +10,8 @@ import numpy as np
 from softlube.model.dry import PARABOLOID, DryContact, dry_contact_at
 from softlube.model.exact import HERTZ_LOAD, HERTZ_PRESSURE
 from softlube.model.film_section import viscosity_at
+from softlube.model.indenters import Shape
+from softlube.model.indenters.base import Array
 from softlube.model.problem import Problem
 from softlube.model.substrates import Substrate
 
@@ -32,6 +34,8 @@ FAR = 400.0
 """Square of the rim's radius over the mesh's unit of length, about, for the shear rate 2/(βr²) there; and 10⁴ times that."""
 VISCOSITY_STEPS = 60
 """Steps of the fixed point for the inlet's viscosity, each of which brings it nearer by the factor 0.6 (1 − n) at least."""
+RADII, FLAT = np.geomspace(1e-4, 1e8, 600), 1e-30
+"""Radii at which an indenter's surface is looked at, and the height that a flat face has there."""
 FRONT_EDGE = 6.0
 """Rise of a layer's dry pressure at the edge over a half-space's beyond which the sides' constriction may end in a front."""
 
@@ -98,13 +102,14 @@ class Regime:
         pressed = dry.radius**2
         if problem.load_controlled:
             # Where the film is thicker than the indentation, the pressure is as wide as the gap allows: the rigid sphere's
-            # is largest at r = 0.26 √(2h₀).
-            unit = pressed + 0.18 * max(_height_under_load(problem, dry, own), 0)
+            # is largest at r = 0.26 √(2h₀), where the sphere has risen by 0.07 h₀.
+            unit = pressed + _risen_at(problem.indenter, 0.09 * _height_under_load(problem, dry, own)) ** 2
             over_gap = beta < THIN_GAP and unit > 1.01 * pressed
         else:
-            lifted = np.sqrt(TOUCHING / own)
-            over_contact = pressed * max(1.0, np.sqrt(TOUCHING / beta))
-            unit = float({-1: over_contact, 0: lifted, 1: 0.2 + lifted}[problem.height])
+            shape, half = problem.indenter, float(problem.indenter.depth(dry.radius)) / 2
+            lifted = _lifted_at(shape, 8 * own / TOUCHING) ** 2
+            over_contact = max(pressed, _lifted_at(shape, pressed / half**3 * beta / TOUCHING) ** 2)
+            unit = float({-1: over_contact, 0: lifted, 1: _risen_at(shape, 0.1) ** 2 + lifted}[problem.height])
             over_gap = problem.height >= 0
         narrow = 0.0 if over_gap else float(np.interp(np.log(max(beta, 1.0)), np.log(STEEP_BETA), (0.0, 1.0)))
         paraboloid = problem.indenter == PARABOLOID
@@ -162,7 +167,7 @@ class Regime:
 
         In the Hertz limit h₀ + 1 ~ β^(−3/5), and another substrate is as deep as it is dry.  A light load is carried by the
         rigid sphere's pressure, which goes like 1/(β√h₀), or without the Reynolds condition by what the deformation adds to
-        that pressure, like 1/(β²h₀^(5/2)).  The constants are fitted to solutions.
+        that pressure, like 1/(β²h₀^(5/2)), and other indenters by their gap.  The constants are fitted to spheres.
         """
         return _height_under_load(self.problem, self.dry, self.problem.parameter / self.viscosity)
 
@@ -195,4 +200,34 @@ def _height_under_load(problem: Problem, dry: DryContact, own: float) -> float:
     beta = dry.like_hertz(own)
     if beta > TOUCHING / 2:
         return 2.6 * dry.radius**2 * dry.edge_rise * beta**-0.6 - dry.indentation
-    return 5.5 / own**2 if problem.cavitation == "reynolds" else 0.65 / own**0.8
+    # A film of the thickness h = f(r) under a rigid indenter is r wide, and carries r³/(βh²), or without the Reynolds condition
+    # what that pressure's deformation adds, r⁵/(β²h⁵).
+    height = _heights(problem.indenter)
+    if problem.cavitation == "reynolds":
+        radius = _outermost(RADII**3 / height**2, np.sqrt(8 / 5.5) * own)
+    else:
+        radius = _outermost(RADII / height, np.sqrt(2 / 0.65) * own**0.4)
+    return float(problem.indenter.height(radius))
+
+
+def _risen_at(indenter: Shape, height: float) -> float:
+    """Radius at which an indenter has risen to a height; 0 where that is not positive."""
+    return _outermost(1 / _heights(indenter), 1 / height) if height > 0 else 0.0
+
+
+def _lifted_at(indenter: Shape, stiffness: float) -> float:
+    """Radius up to which a film lifts an indenter that just touches: there the film f is pressure × radius ~ r²/(βf²)."""
+    return _outermost(RADII**2 / _heights(indenter) ** 3, stiffness)
+
+
+def _heights(indenter: Shape) -> Array:
+    """Heights of an indenter's surface at `RADII`, of a flat face not quite 0."""
+    return np.maximum(indenter.height(RADII), FLAT)
+
+
+def _outermost(falling: Array, value: float) -> float:
+    """The outermost of `RADII`, interpolated, at which something that falls outwards, by a power or nearly so, has a value."""
+    i = int(np.clip(np.flatnonzero(falling >= value).max(initial=0), 0, RADII.size - 2))
+    before, after = np.log(falling[i : i + 2])
+    share = (np.log(value) - before) / (after - before)
+    return float(RADII[i] ** (1 - share) * RADII[i + 1] ** share)
