@@ -6,6 +6,7 @@ import pytest
 
 import softlube
 import softlube.steady.ladder
+from softlube.solvers.budget import OutOfTime
 from softlube.steady.error_estimate import SMOOTH
 from softlube.steady.refinements import Refinement
 
@@ -32,6 +33,21 @@ def test_a_grid_that_would_be_fine_enough_but_has_no_solution_leaves_the_advice_
     monkeypatch.setattr("softlube.steady.ladder.solve_level", failing)
     with pytest.raises(softlube.NotConvergedError, match="Try accuracy="):
         softlube.solve(beta=1000, accuracy=1e-4)
+
+
+def test_a_budget_that_is_spent_on_a_fine_grid_leaves_the_accuracy_of_the_others(monkeypatch):
+    real = softlube.steady.ladder.solve_level
+
+    def dear(regime, grid, before=None):
+        if grid.n_theta > 30:
+            raise OutOfTime
+        return real(regime, grid, before)
+
+    monkeypatch.setattr("softlube.steady.ladder.solve_level", dear)
+    with pytest.raises(softlube.NotConvergedError, match="it would take more than 60 s") as refusal:
+        softlube.solve(beta=1000, accuracy=1e-4)
+    advised = float(str(refusal.value).partition("Try accuracy=")[2].partition(" or budget=180")[0])
+    assert softlube.solve(beta=1000, accuracy=advised).accuracy == advised
 
 
 def test_two_grids_tell_no_error(monkeypatch):

@@ -146,9 +146,7 @@ def test_an_unknown_method_is_refused():
 
 
 def test_a_solve_gives_up_when_its_budget_is_spent():
-    with pytest.raises(
-        softlube.NotConvergedError, match=r"beta = 1e\+06: it would take more than 0.01 s .* Try accuracy=3e-03 or budget"
-    ):
+    with pytest.raises(softlube.NotConvergedError, match=r"beta = 1e\+06: it would take more than 0.01 s .* Try budget=0.03"):
         softlube.solve(beta=1e6, budget=0.01)
     for budget in (0, -1, float("nan"), True, "60 s"):
         with pytest.raises(softlube.InputError, match="budget: expected a number of seconds"):

@@ -344,15 +344,15 @@ REPORTED_ONLY = (*(name for name, row in STEADY.items() if row.place), *THINNING
 
 
 def places_of(name: str) -> tuple[str, ...]:
-    """Names of the rows that say where a quantity is: those that follow its row in `STEADY`.
+    """Names of the rows that say where a quantity is: those that follow its row in `QUANTITIES`.
 
     Examples
     --------
     >>> places_of("film_min")
     ('film_min_radius', 'film_min_angle_deg')
     """
-    below = list(STEADY)[list(STEADY).index(name) + 1 :]
-    return tuple(takewhile(lambda each: bool(STEADY[each].place), below))
+    below = list(QUANTITIES)[list(QUANTITIES).index(name) + 1 :]
+    return tuple(takewhile(lambda each: bool(QUANTITIES[each].place), below))
 
 
 def header(name: str, unit: str = "", *, error: bool = False) -> str:

@@ -18,7 +18,15 @@ _END: ContextVar[float] = ContextVar("end", default=math.inf)
 
 
 class OutOfTime(Exception):
-    """The budget is spent."""
+    """The budget is spent.
+
+    Attributes
+    ----------
+    reached : float
+        Accuracy that was reached before; infinite where none is known.
+    """
+
+    reached: float = math.inf
 
 
 @contextmanager

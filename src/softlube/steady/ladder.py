@@ -68,7 +68,7 @@ def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:
         except NotConvergedError as error:
             if grid.n_unknown > LARGEST_PASSED_OVER:
                 advice = " ".join(each.advice for each in refinements if each.advice)
-                advice = advice or "Try another accuracy (it changes the grid), or report the input."
+                advice = advice or "No accuracy changes these grids; report the input."
                 raise NotConvergedError(f"{error} {advice}") from None
             if progress is not None:
                 progress(Progress(f"{grid.n_r} x {grid.n_theta} cells are too few: no solution found on them", number))
@@ -167,6 +167,8 @@ def solve_on_ladder(regime: Regime, accuracy: float, progress: Listener | None =
     ------
     NotConvergedError
         If no grid is fine enough; the message says which quantities are not accurate enough, and which accuracy was reached.
+    OutOfTime
+        If the budget is spent before; it knows which accuracy was reached.
     """
     solved: list[Solved] = []
     refinements = refinements_for(regime)
@@ -191,6 +193,10 @@ def solve_on_ladder(regime: Regime, accuracy: float, progress: Listener | None =
     except NotConvergedError:
         if not (enough or left):
             raise
+    except budget.OutOfTime as spent:
+        spent.reached = best
+        if not enough:
+            raise
     if enough:
         return solution_of(regime, solved[:enough], accuracy, progress)
     if len(solved) < GRIDS:
@@ -201,11 +207,11 @@ def solve_on_ladder(regime: Regime, accuracy: float, progress: Listener | None =
     worst = ", ".join(f"{name} {value:.1e}" for name, value in sorted(left.items(), key=lambda item: -item[1])[:3])
     raise NotConvergedError(
         f"the finest grid does not reach the accuracy {accuracy:g} at {regime.problem.parameter:.4g}: {worst} (relative). "
-        + (f"Try accuracy={_up(best)}." if best <= LARGEST_ACCURACY else "No accuracy that can be asked for would do.")
+        + (f"Try accuracy={rounded_up(best)}." if best <= LARGEST_ACCURACY else "No accuracy that can be asked for would do.")
     )
 
 
-def _up(value: float) -> str:
+def rounded_up(value: float) -> str:
     """A positive number with two digits, rounded up."""
     unit = 10.0 ** (math.floor(math.log10(value)) - 1)
     return f"{math.ceil(value / unit) * unit:.1e}"

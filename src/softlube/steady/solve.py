@@ -15,7 +15,7 @@ from softlube.solvers.budget import DEFAULT_BUDGET
 from softlube.solvers.notebook import watched
 from softlube.solvers.progress import Listener
 from softlube.solvers.threads import one_thread
-from softlube.steady.ladder import LARGEST_ACCURACY, solve_on_ladder
+from softlube.steady.ladder import LARGEST_ACCURACY, rounded_up, solve_on_ladder
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
@@ -24,8 +24,8 @@ FINEST_ACCURACY = 1e-4
 """What the finest grids of the ladder reach."""
 LARGEST_BETA = 1e9
 SMALLEST_BETA = 1e-6
-LOOSER = 3.0
-"""Factor of accuracy or time that is advised where the time did not do."""
+MORE_TIME = 3.0
+"""Factor of the time that is advised where it did not do."""
 THINNEST = 2e-3
 """Depth of a substrate's remainder over the mesh's unit of length (a layer's: twice its thickness) that the grids resolve."""
 THICKEST = 55.0
@@ -137,12 +137,12 @@ def solve_problem(
         try:
             with time_budget.within(budget):
                 solution = solve_on_ladder(_regime(problem), accuracy, progress)
-        except time_budget.OutOfTime:
+        except time_budget.OutOfTime as spent:
             name = "beta_load" if problem.load_controlled else "beta"
-            advice = f"accuracy={LOOSER * accuracy:.0e} or " if LOOSER * accuracy <= LARGEST_ACCURACY else ""
+            advice = f"accuracy={rounded_up(spent.reached)} or " if spent.reached <= LARGEST_ACCURACY else ""
             raise NotConvergedError(
                 f"{name} = {problem.parameter:.4g}: it would take more than {budget:g} s of processor time. Try {advice}"
-                f"budget={LOOSER * budget:g}."
+                f"budget={MORE_TIME * budget:g}."
             ) from None
         warn(solution.warnings)
         return solution

@@ -9,7 +9,9 @@ import softlube
 import softlube.discretization.measure
 import softlube.theory.limits
 from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw
+from softlube.model.quantities import Quantity
 from softlube.readout.friction import split
+from softlube.solvers.budget import OutOfTime
 from softlube.solvers.newton import newton
 from softlube.steady.refinements.spike import closeup
 from softlube.steady.refinements.spike import crest as crests
@@ -124,3 +126,25 @@ def test_no_number_where_the_meshes_do_not_see_the_same_contact(needle, monkeypa
     monkeypatch.setattr(crests, "WIDTHS", (1e-2,))
     monkeypatch.setattr(crests, "close_ups", lambda regime, fields: closeup.close_ups(regime, fields, (1e-2,), 26))
     assert resolve_spike(Regime.of(solution.problem), solution.fields) == {}
+
+
+def test_the_friction_of_a_close_up_gets_the_hysteresis_of_a_substrate_that_remembers(monkeypatch):
+    monkeypatch.setattr(crests, "tracked", lambda grids: {})
+    monkeypatch.setattr(crests, "wants_close_up", lambda fields, known: True)
+    monkeypatch.setattr(crests, "resolve_spike", lambda *_: {"friction_total": Quantity(5.0, 0.1)})
+    unknown = {"friction_total": Quantity(np.nan, np.inf), "friction_viscous": Quantity(np.nan, np.inf)}
+    elastic = crests.spike_quantities(None, [None], {"friction_total": unknown["friction_total"]})
+    remembers = crests.spike_quantities(None, [None], unknown | {"friction_hysteresis": Quantity(2.0, 0.05)})
+    assert {name: float(each) for name, each in elastic.items()} == {"friction_total": 5.0}
+    assert {name: float(each) for name, each in remembers.items()} == {"friction_total": 7.0, "friction_viscous": 5.0}
+    assert remembers["friction_total"].error == pytest.approx(0.15)
+
+
+def test_a_budget_that_is_spent_on_close_ups_leaves_the_contact_solved(monkeypatch):
+    def spent(*_):
+        raise OutOfTime
+
+    monkeypatch.setattr(crests, "tracked", lambda grids: {"spike_radius": Quantity(0.9, 0.01)})
+    monkeypatch.setattr(crests, "wants_close_up", lambda fields, known: True)
+    monkeypatch.setattr(crests, "resolve_spike", spent)
+    assert crests.spike_quantities(None, [None], {}) == {"spike_radius": Quantity(0.9, 0.01)}

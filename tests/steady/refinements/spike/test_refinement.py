@@ -1,10 +1,12 @@
 """The spike as a refinement: its zone in the mesh, and when its height has an error."""
 
 from functools import partial
+from types import SimpleNamespace
 
 import pytest
 
 import softlube
+from softlube.discretization.measure import FRICTIONS
 from softlube.model.liquids import BarusLaw, DowsonHigginsonLaw, RoelandsLaw
 from softlube.model.problem import Problem
 from softlube.steady.level import solve_level
@@ -46,4 +48,12 @@ def test_a_smooth_pressure_is_no_spike():
     solution = softlube.solve(beta_load=100.0)
     spike = Spike(Regime.of(solution.problem))
     assert spike.determines(solution.fields, solution.quantities) == {}
-    assert set(DETERMINED) < set(solution.quantities)
+    assert set(DETERMINED) - {"friction_viscous"} < set(solution.quantities)
+
+
+def test_on_a_substrate_that_remembers_a_needle_determines_the_viscous_friction_too():
+    spike, needle = Spike(Regime.of(moes(20, 10))), SimpleNamespace(is_sharp=True, steepest_fall=9.0)
+    elastic = dict.fromkeys(("film_min", "pressure_max", "boundary_layer", *FRICTIONS), 1.0)
+    assert spike.determines(needle, elastic).keys() == elastic.keys() - {"film_min"}
+    remembers = elastic | {"friction_viscous": 1.0, "friction_hysteresis": 1.0}
+    assert spike.determines(needle, remembers).keys() == remembers.keys() - {"film_min", "friction_hysteresis"}

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from softlube.discretization.fields import Fields
 from softlube.discretization.measure import FRICTIONS, boundary_layer, friction_parts, frictions
 from softlube.model.quantities import Quantity
+from softlube.solvers.budget import OutOfTime
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.error_estimate import LARGEST_ERROR, yardstick
 from softlube.steady.refinements.spike.closeup import NEAR_RIDGE, WIDTHS, CloseUp, close_ups
@@ -182,7 +183,14 @@ def spike_quantities(
     if not wants_close_up(grids[-1], known):
         return known
     before = {**quantities, **known}
-    closer = resolve_spike(regime, grids[-1], progress)
+    try:
+        closer = resolve_spike(regime, grids[-1], progress)
+    except OutOfTime:  # the contact itself is solved
+        closer = {}
+    if "friction_total" in closer and "friction_hysteresis" in quantities:
+        viscous, hysteresis = closer["friction_total"], quantities["friction_hysteresis"]
+        closer["friction_viscous"] = viscous
+        closer["friction_total"] = Quantity(viscous + hysteresis, viscous.error + hysteresis.error)
     if "pressure_max" in closer:
         closer["pressure_max"] = at_least(quantities["pressure_center"], closer["pressure_max"])
     return known | {name: each for name, each in closer.items() if name not in before or not before[name].error <= each.error}
@@ -190,6 +198,8 @@ def spike_quantities(
 
 def resolve_spike(regime: Regime, fields: Fields, progress: Listener | None = None) -> dict[str, Quantity]:
     """Quantities that a spike determines, from close-ups, in the problem's own unit; empty where a mesh fails.
+
+    The friction is the liquid's: without what a substrate that remembers takes.
 
     An error is the largest of the last change, half the change before, and the error that the last close-up itself leaves; that
     of a friction is at least a share of what the contact's own grids miss.  Quantities with an error above 10 % are left out.

@@ -28,7 +28,9 @@ from softlube.steady.refinements.spike.detection import (
 )
 from softlube.steady.regime import Regime
 
-DETERMINED = ("pressure_max", "boundary_layer", *FRICTIONS)
+OF_THE_LIQUID = (*FRICTIONS, "friction_viscous")
+"""Frictions that the viscosity in a pressure spike determines; the last is there on substrates that remember."""
+DETERMINED = ("pressure_max", "boundary_layer", *OF_THE_LIQUID)
 """Quantities that the tip of a pressure spike determines, or the viscosity in it."""
 FIRST_ANGLES = 18
 """Angular intervals of the coarsest grid that sees where the spike will stand."""
@@ -58,10 +60,11 @@ class Spike(Refinement):
         """What a spike determines that is not smooth on the grid; nothing is known where it is a needle."""
         if not fields.is_sharp:
             return {}
+        determined = [name for name in DETERMINED if name in values]
         if is_needle(fields):
-            return dict.fromkeys(DETERMINED, replace(LIKE_SPACING, least=math.inf))
+            return dict.fromkeys(determined, replace(LIKE_SPACING, least=math.inf))
         ridge = replace(LIKE_SPACING, least=ridge_error(fall_from_top(fields)))
-        return dict.fromkeys(DETERMINED, LIKE_SPACING) | {"pressure_max": ridge}
+        return dict.fromkeys(determined, LIKE_SPACING) | {"pressure_max": ridge}
 
     def is_settled(self, solved: Sequence[Solved], errors: Mapping[str, float]) -> bool:
         """Whether a spike on the outlet axis was there on the coarser grid, too: its height has an error from two grids on."""
@@ -88,7 +91,7 @@ class Spike(Refinement):
         """What meshes about the spike gave, in the other unit."""
         result = {name: QUANTITIES[name].unit.rescaled(own[name], unit) for name in SPIKE_QUANTITIES if name in own}
         result["pressure_max"] = at_least(values["pressure_center"], result["pressure_max"])
-        for name in FRICTIONS:
+        for name in values.keys() & {*OF_THE_LIQUID}:
             # The disc is another one, but both hold the spike, and so the part that the grid has missed.
             missed = QUANTITIES[name].unit.rescaled(Quantity(own[name] - on_grid[name], own[name].error), unit)
             result[name] = Quantity(values[name] + missed, missed.error)
