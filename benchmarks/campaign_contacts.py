@@ -110,12 +110,13 @@ def inputs(rng: Random, folder: Path) -> dict[str, Any]:
     dry = softlube.Contact(**given, indentation=depth, viscosity=viscosity, speed=1.0)
     contact = Regime.of(dry.problem()).dry
     # Under a thick film the pressure exceeds the dry one, at which an oil between hard bodies is next to solid.
-    speed = contact.like_hertz(dry.beta(depth, 1.0)) / 10 ** rng.uniform(1 if hard else -2, 6)
+    beta = 10 ** rng.uniform(1 if hard else -2, 6)
+    speed = contact.like_hertz(dry.beta(depth, 1.0)) / beta
     if height == -1 and rng.random() < 0.67:
         given["load"] = contact.load * dry.scales(depth)["load"][0]
     else:
         given["indentation"] = -height * depth
-    given |= liquid(rng, viscosity, speed / depth, modulus * slope, hard)
+    given |= liquid(rng, viscosity, speed / (2.6 * depth * beta**-0.6), modulus * slope, hard)
     if rng.random() < 0.25:
         given["density_law"] = "dowson-higginson"
     slide_to_roll = rng.choice([-1.0, 0.0, 0.5, 2.0])

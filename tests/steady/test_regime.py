@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import softlube
 from softlube.model.indenters import PowerShape, RoundedConeShape
 from softlube.model.liquids import BarusLaw, CarreauYasudaLaw, NewtonianLaw, OstwaldLaw
 from softlube.model.problem import Problem
@@ -77,6 +78,15 @@ def test_a_cone_that_floats_high_is_the_paraboloid_beyond_its_base():
     ball = solve_problem(Problem(beta_load=beta_load * curvature**1.5))
     film = solve_problem(Problem(beta_load=beta_load, indenter=cone)).film_center
     assert film == pytest.approx(float(ball.film_center), rel=2e-3)
+
+
+def test_a_light_load_on_a_power_law_is_borne_far_out():
+    """The film is seventy times as thick as that of a liquid with the same viscosity everywhere."""
+    light = Problem(beta_load=1.0, liquid=OstwaldLaw(NewtonianLaw(), 0.58, 0.7))
+    film = solve_problem(light, accuracy=0.02).film_center
+    assert film == pytest.approx(Regime.of(light).first_height, rel=0.5)
+    with pytest.raises(softlube.NotConvergedError, match="outside the range"):
+        solve_problem(Problem(beta_load=1.0, liquid=OstwaldLaw(NewtonianLaw(), 0.58, 0.42)))
 
 
 @pytest.mark.parametrize("given", [{"beta_load": 0.03}, {"beta": 0.03}, {"beta": 1e3, "height": 1}])

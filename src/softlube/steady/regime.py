@@ -36,6 +36,8 @@ VISCOSITY_STEPS = 60
 """Steps of the fixed point for the inlet's viscosity, each of which brings it nearer by the factor 0.6 (1 − n) at least."""
 RADII, FLAT = np.geomspace(1e-4, 1e8, 600), 1e-30
 """Radii at which an indenter's surface is looked at, and the height that a flat face has there."""
+LEAST_SHARE = 0.01
+"""Least 1 − 2(1 − n) that is looked at: at n = 1/2 a power law's far field bears any load."""
 FRONT_EDGE = 6.0
 """Rise of a layer's dry pressure at the edge over a half-space's beyond which the sides' constriction may end in a front."""
 
@@ -103,7 +105,7 @@ class Regime:
         if problem.load_controlled:
             # Where the film is thicker than the indentation, the pressure is as wide as the gap allows: the rigid sphere's
             # is largest at r = 0.26 √(2h₀), where the sphere has risen by 0.07 h₀.
-            unit = pressed + _risen_at(problem.indenter, 0.09 * _height_under_load(problem, dry, own)) ** 2
+            unit = pressed + _risen_at(problem.indenter, 0.09 * _height_under_load(problem, dry, own, thinning)) ** 2
             over_gap = beta < THIN_GAP and unit > 1.01 * pressed
         else:
             shape, half = problem.indenter, float(problem.indenter.depth(dry.radius)) / 2
@@ -169,7 +171,7 @@ class Regime:
         rigid sphere's pressure, which goes like 1/(β√h₀), or without the Reynolds condition by what the deformation adds to
         that pressure, like 1/(β²h₀^(5/2)), and other indenters by their gap.  The constants are fitted to spheres.
         """
-        return _height_under_load(self.problem, self.dry, self.problem.parameter / self.viscosity)
+        return _height_under_load(self.problem, self.dry, self.problem.parameter / self.viscosity, self.thinning)
 
 
 def _dry(problem: Problem, substrate: Substrate) -> DryContact:
@@ -183,19 +185,20 @@ def _at_inlet(problem: Problem, dry: DryContact) -> tuple[float, float]:
     """See `Regime.viscosity` and `Regime.thinning`: the viscosity makes the film, and the film the shear rate."""
     if not problem.liquid.thins:
         return 1.0, 0.0
-    viscosity = faster = 1.0
+    viscosity, thinning = 1.0, 0.0
     sliding, pushed = INLET_RATE
     speed = float(np.hypot(sliding * problem.slide_to_roll / 2, pushed)) / problem.parameter
     for _ in range(VISCOSITY_STEPS):
         own = problem.parameter / viscosity
         film = dry.radius**2 * dry.edge_rise * max(dry.like_hertz(own), TOUCHING / 2) ** -0.6 + max(problem.height, 0)
         if problem.load_controlled:
-            film += max(_height_under_load(problem, dry, own), 0)
+            film += max(_height_under_load(problem, dry, own, thinning), 0)
         viscosity, faster = map(float, viscosity_at(problem.liquid, np.array([1.0, FASTER]) * speed / film))
-    return viscosity, float(np.log(viscosity / faster) / np.log(FASTER))
+        thinning = float(np.log(viscosity / faster) / np.log(FASTER))
+    return viscosity, thinning
 
 
-def _height_under_load(problem: Problem, dry: DryContact, own: float) -> float:
+def _height_under_load(problem: Problem, dry: DryContact, own: float, thinning: float) -> float:
     """See `Regime.first_height`; `own` is the problem's β with the viscosity where the film is made."""
     beta = dry.like_hertz(own)
     if beta > TOUCHING / 2:
@@ -204,7 +207,9 @@ def _height_under_load(problem: Problem, dry: DryContact, own: float) -> float:
     # what that pressure's deformation adds, r⁵/(β²h⁵).
     height = _heights(problem.indenter)
     if problem.cavitation == "reynolds":
-        radius = _outermost(RADII**3 / height**2, np.sqrt(8 / 5.5) * own)
+        # Farther out a liquid that thins is less thin: the load ∫ η r⁻² dr grows by 1/(1 − 2(1 − n)), about.
+        carried = RADII**3 / height**2 / max(1 - 2 * thinning, LEAST_SHARE)
+        radius = _outermost(carried, np.sqrt(8 / 5.5) * own)
     else:
         radius = _outermost(RADII / height, np.sqrt(2 / 0.65) * own**0.4)
     return float(problem.indenter.height(radius))
@@ -229,5 +234,5 @@ def _outermost(falling: Array, value: float) -> float:
     """The outermost of `RADII`, interpolated, at which something that falls outwards, by a power or nearly so, has a value."""
     i = int(np.clip(np.flatnonzero(falling >= value).max(initial=0), 0, RADII.size - 2))
     before, after = np.log(falling[i : i + 2])
-    share = (np.log(value) - before) / (after - before)
+    share = np.clip((np.log(value) - before) / (after - before), 0, 1)
     return float(RADII[i] ** (1 - share) * RADII[i + 1] ** share)
