@@ -134,6 +134,12 @@ def test_a_face_a_quarter_as_wide_as_its_contact_takes_no_more_grids():
     assert len(other) == len(plain)
 
 
+def test_the_crest_at_the_border_of_a_face_is_no_spike():
+    """A fourth grid was taken at β′ = 1300, although three did, because the pressure on the outlet axis has a maximum."""
+    shape = RoundedPunchShape(0.1, 1.0, 0.2, 0.08)
+    assert len(softlube.solve(beta=like(1300.0, shape), indenter=shape).levels) == 3
+
+
 def test_the_load_of_a_cone_does_not_depend_on_where_the_mesh_ends():
     """Its far pressure falls like 1/r up to the base, so that the rim has to lie beyond."""
     cone = RoundedConeShape(0.09, 1.0, 0.15, 30.0)

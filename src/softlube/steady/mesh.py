@@ -47,9 +47,9 @@ TRAIL_THINNING = 2.8
 """Coefficient of the mesh's thinning beyond the contact where it has that zone, whose rings are wanted within the contact."""
 SHIFTED_EDGE = 0.1
 """Distance of the contact's edge at the inlet and the sides from the mesh's that is not worth a change."""
-BLUNT_STEP = 0.38
-"""Power of 2 over a blunt indenter's `DryContact.exponent` that the radial step takes: at the edge of its contact the pressure
-bends more than a paraboloid's.  With it shapes of height r⁴ need no more grids than a paraboloid with the same β′."""
+BLUNT_STEP, BLUNT_SIDES = 0.38, 0.8
+"""Powers of 2 over a blunt indenter's `DryContact.exponent` that the radial step and the crowding at the sides take: at the
+edge of its contact the pressure bends more than a paraboloid's, and the film at the sides needs a wider zone."""
 REACH, FARTHEST = 20.0, 60.0
 """Radius of the rim over the edge's under a paraboloid; and at least over a gap, where u = h₀ + r²/2 becomes r²/2 later."""
 RIMS, FAR_EXPONENT = REACH * 2.0 ** np.arange(-4, 7, 0.25), 1.98
@@ -93,14 +93,15 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     steep, rise = regime.steepness, regime.dry.substrate_rise
     edge = 1 + float(min(STEEP_SHIFT * steep * 2.0**octave, 0.25))
     width = float(min((2.4 if regime.deep else 1.4) * 2.0 ** (octave * 0.625), 1.0))
-    crowding = (1.2 if regime.deep else 0.7) + STEEP_CROWDING * steep
+    blunt = min(1.0, 2 / regime.dry.exponent)
+    crowding = (1.2 if regime.deep else 0.7) * blunt**BLUNT_SIDES + STEEP_CROWDING * steep
     if regime.thinning > THINS and not regime.over_gap:
         width, crowding = THINNING_SIDES * width, crowding + THINNING_CROWDING
     reach, core = _extent(regime.problem.indenter, float(np.sqrt(regime.unit)))
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
-        edge_width=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25 * min(1.0, 2 / regime.dry.exponent))),
+        edge_width=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25 * blunt)),
         side_width=width,
         side_clustering=crowding,
         reach=max(reach, FARTHEST) if regime.over_gap else reach,
@@ -118,7 +119,7 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     if not regime.over_gap:
         step *= min(1.0, STIFFEST_EDGE / rise)
         if not regime.deep and beta >= light:
-            step *= min(1.0, 2 / regime.dry.exponent) ** BLUNT_STEP
+            step *= blunt**BLUNT_STEP
     return grid.resized(int(np.ceil(grid.xi_of(grid.reach * edge) * n_theta / step)), n_theta)
 
 
