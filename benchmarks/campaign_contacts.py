@@ -35,6 +35,8 @@ from softlube.steady.regime import Regime
 
 ACCURACIES = 1e-3, 3e-3, 1e-2
 """Accuracies that are asked for, as often each; the first is the default."""
+BUDGET = 20.0
+"""Seconds of processor time that a solve may take, a third of the package's own: hundreds of hard contacts would take hours."""
 COMPARED, FINER, MOST_ANGLES = 10, 1.6, 39
 """One contact of so many is compared with finer grids, of so many times the angles, if it took no more angles itself."""
 TOLERANCE = 0.1
@@ -58,13 +60,13 @@ def contact(seed: int, number: int, folder: Path) -> Told:
         return "refused", f"{case}: {error}", None, seen + Counter([f"refused, input: {without_numbers(error)}"])
     seen.update(f"{slot}: {getattr(asked, slot).kind}" for slot in BODIES)
     try:
-        solution = asked.solve(accuracy=accuracy)
+        solution = asked.solve(accuracy=accuracy, budget=BUDGET)
     except NotConvergedError as error:
         refusal, named = str(error), NAMED.search(str(error))
         if named is None:
             return "refused", f"{case}: {refusal}", None, seen + Counter([f"refused: {without_numbers(error)}"])
         try:
-            solution = asked.solve(accuracy=float(named[1]))
+            solution = asked.solve(accuracy=float(named[1]), budget=BUDGET)
         except NotConvergedError as error:
             return "WRONG", f"{case}: {refusal} And then: {error}", None, seen
         seen["refused, the accuracy that is named works"] += 1
@@ -253,12 +255,14 @@ def beside_finer_grids(problem: softlube.Problem, solution: softlube.Solution) -
     values, factors, outside = {name: pair[0] for name, pair in fine.items()}, looser(regime), []
     for name, (value, uncertainty) in fine.items():
         found = solution.quantities[name]
-        if found.error > 0:
+        if found.error > 0 and float(found) != solution.levels[-1].values[name]:
+            seen["values from close-ups, not compared"] += 1
+        elif found.error > 0:
             kind = "places" if QUANTITIES[name].place else "values"
             off = max(abs(found - value) - uncertainty, 0.0)
             accurate = off <= solution.accuracy * factors.get(name, 1.0) * yardstick(name, values)
             seen.update([kind, *([f"{kind} within their error"] if off <= found.error else [])])
-            seen.update([f"{kind} as accurate as asked"] if accurate else [])
+            seen.update([f"{kind} as accurate as asked"] if accurate and kind == "values" else [])
             if off > 2 * found.error:
                 seen.update([f"{kind} outside twice their error", f"outside twice: {name}"])
                 outside.append(
