@@ -9,7 +9,7 @@ import softlube
 from softlube.errors import InputError
 from softlube.experiments.moduli import Moduli
 from softlube.experiments.substrate_fit import fit_substrate
-from softlube.model.substrates.viscoelastic import creep_of
+from softlube.model.creep import creep_of
 
 RELAXED, TERMS = 3e6, ((4e6, 2e-3), (1e6, 0.1))
 

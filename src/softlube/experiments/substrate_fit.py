@@ -16,9 +16,10 @@ from softlube.experiments.fit_checks import runs
 from softlube.experiments.intervals import finite_or_none
 from softlube.experiments.moduli import Moduli, read_moduli
 from softlube.experiments.prony import ENOUGH, Series, chosen, series_of
+from softlube.model.creep import Creep, Term, creep_of, relaxation_of
 from softlube.model.prefixes import shown
 from softlube.model.substrates import Viscoelastic
-from softlube.model.substrates.viscoelastic import Creep, Term, creep_of, relaxation_of, series_text
+from softlube.model.substrates.viscoelastic import series_text
 from softlube.model.summary import Summarised, Summary
 
 if TYPE_CHECKING:

@@ -102,7 +102,7 @@ class Materials:
 
     @property
     def substrate_speed(self) -> float | None:
-        """Speed of the substrate's surface, seen from the contact [m/s]; None where the contact is not steady."""
+        """Speed of the substrate's surface, seen from the contact [m/s]; None where the film changes with time."""
         return None
 
     @property
@@ -161,7 +161,8 @@ class Materials:
 
     def substrate_for(self, height: float) -> Substrate:
         """What the sphere moves over, normalised with a height [m]."""
-        return self.substrate.kernel(math.sqrt(self.reduced_radius * height), self.substrate_share, self.substrate_speed)
+        length, time = (self.scales(height)[name][0] for name in ("length", "time"))
+        return self.substrate.kernel(length, self.substrate_share, self.substrate_speed, time)
 
     def shape_for(self, height: float) -> Shape:
         """The indenter's surface, with the substrate's curvature, normalised with a height [m]."""

@@ -165,6 +165,41 @@ class Motion:
             return float(self.samples.min())
         return self._rigid_height if self.deepest is None else -self.deepest.indentation
 
+    def past(self, film: SqueezeFilm) -> Array:
+        """Share of the first pressure that each term of the substrate's creep has taken up, shape (m, N).
+
+        A sphere that comes down from afar has done so with the speed, or the load, of the start; the pressure has grown as under
+        a rigid sphere, like h₀ under a load and V/4 else, over the square of the film.  A term of time τ has of it
+
+            ∫₀^∞ e^(−s) p(−τs)/p(0) ds.
+        """
+        speed, terms = self._first_speed, film.creep.terms
+        if speed <= 0:
+            return np.zeros((len(terms), film.shape.size))
+        shares = np.empty((len(terms), film.shape.size))
+        for term, share in zip(terms, shares, strict=True):
+            fallen = term.time * speed / self.initial_height
+            y = np.arange(min(-np.log(max(fallen, 1e-300)), 0.0) - 37, 4, 0.1)
+            s = np.exp(y)
+            higher = np.exp(np.minimum(fallen * s, 300.0)) if self.control == "load" else 1 + fallen * s
+            films = 1 + (higher[:, None] - 1) * self.initial_height / (self.initial_height + film.shape)
+            grown = films**-2.0 * (higher[:, None] if self.control == "load" else 1.0)
+            share[:] = 0.1 * (s * np.exp(-s)) @ grown
+        return shares
+
+    def yielded(self, film: SqueezeFilm) -> Array:
+        """Pressure over the first one that has the deflection of the start on a relaxed substrate: J₀ + ΣJᵢ times `past`."""
+        return film.creep.instantaneous + np.array([term.weight for term in film.creep.terms]) @ self.past(film)
+
+    @cached_property
+    def _first_speed(self) -> float:
+        """Speed of approach at the start; under a load that of Taylor's law, N = πV/(2h₀)."""
+        start = float(self.drive(0.0))
+        if self.control == "load":
+            return 2 * start * self.initial_height / np.pi
+        instant = 1e-6 * self.duration
+        return (start - float(self.drive(instant))) / instant
+
     def first_pressure(self, film: SqueezeFilm) -> Array:
         """Pressure at the start, on all rings.
 
@@ -177,15 +212,13 @@ class Motion:
         NotConvergedError
             If the liquid thickens so much that no pressure drives it out.
         """
-        start = float(self.drive(0.0))
-        instant = 1e-6 * self.duration
-        speed = 1.0 if self.control == "load" else (start - float(self.drive(instant))) / instant
-        if speed <= 0 or (self.control == "load" and start <= 0):
+        if self._first_speed <= 0:
             return np.zeros_like(film.shape)
-        grid = film.grid
+        speed = 1.0 if self.control == "load" else self._first_speed
+        grid, yielded = film.grid, self.yielded(film)
         pressure = np.zeros_like(film.shape)
         for _ in range(LARGEST_ITERATIONS):
-            u = self.initial_height + film.shape + film.compliance @ pressure
+            u = self.initial_height + film.shape + film.compliance @ (yielded * pressure)
             fluidity, _ = film.liquid.fluidity(pressure)
             if np.min(fluidity) < LEAST_FLUIDITY:
                 break
@@ -194,7 +227,7 @@ class Motion:
             # Beyond the last ring Taylor's pressure, as steep as the pressure is there.
             driven = spline(grid.xi[-1]) - spline(grid.xi) + slope[-1] * u[-1] / (2 * grid.r[-1])
             if self.control == "load":
-                driven *= start / film.load(driven)
+                driven *= float(self.drive(0.0)) / film.load(driven)
             change = driven - pressure
             # p goes like u⁻³, so a full step would overshoot threefold where the deflection makes most of the film.
             pressure = pressure + DAMPING * change

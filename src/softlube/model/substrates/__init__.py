@@ -24,13 +24,16 @@ if TYPE_CHECKING:
     from softlube.model.substrates.half_space import HalfSpace, HalfSpaceKernel
     from softlube.model.substrates.layer import Layer, LayerKernel
     from softlube.model.substrates.viscoelastic import (
+        CreepingKernel,
         Remembering,
+        RememberingKernel,
         StandardLinearSolid,
         Viscoelastic,
         ViscoelasticKernel,
     )
 
 __all__ = [
+    "CreepingKernel",
     "HalfSpace",
     "HalfSpaceKernel",
     "Kernel",
@@ -40,6 +43,7 @@ __all__ = [
     "Orders",
     "Remainder",
     "Remembering",
+    "RememberingKernel",
     "StandardLinearSolid",
     "Substrate",
     "SubstratePart",

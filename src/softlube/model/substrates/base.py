@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from softlube.model.creep import Creep
+
 Array: TypeAlias = "NDArray[np.floating]"
 Orders: TypeAlias = "NDArray[np.intp]"
 
@@ -75,7 +77,12 @@ class Substrate(Protocol):
 
     @property
     def memory(self) -> Memory | None:
-        """What it remembers, if anything."""
+        """What it remembers under steady sliding, if anything."""
+        ...
+
+    @property
+    def creep(self) -> Creep | None:
+        """How it yields in time under a film that changes with time, if not at once."""
         ...
 
     def hastened(self, factor: float) -> Substrate:
@@ -102,6 +109,11 @@ class Kernel(Named):
 
     @property
     def memory(self) -> Memory | None:
+        """None."""
+        return None
+
+    @property
+    def creep(self) -> Creep | None:
         """None."""
         return None
 
@@ -162,7 +174,7 @@ class SubstratePart(Part):
         """1/R of its surface [1/m]; 0 if it is flat, negative for a cup."""
         return 0.0 if self.radius is None else 1 / self.radius
 
-    def kernel(self, length_unit: float, share: float = 1.0, speed: float | None = None) -> Substrate:
+    def kernel(self, length_unit: float, share: float = 1.0, speed: float | None = None, time_unit: float = 1.0) -> Substrate:
         """What the solver sees of it and of an elastic ball on it, whose compliances add.
 
         Parameters
@@ -172,6 +184,8 @@ class SubstratePart(Part):
         share : float
             What part of the compliance of both bodies, were both half-spaces, is the substrate's; 1 under a rigid ball.
         speed : float, optional
-            Speed of the substrate's surface, seen from the contact [m/s]; None where it is not steady.
+            Speed of the substrate's surface, seen from the contact [m/s]; None where the film changes with time.
+        time_unit : float
+            Time that a film that changes with time is normalised with [s].
         """
         raise NotImplementedError

@@ -34,6 +34,8 @@ class HalfSpace(SubstratePart):
 
     kind: ClassVar[str] = "half-space"
 
-    def kernel(self, length_unit: float, share: float = 1.0, speed: float | None = None) -> HalfSpaceKernel:
+    def kernel(
+        self, length_unit: float, share: float = 1.0, speed: float | None = None, time_unit: float = 1.0
+    ) -> HalfSpaceKernel:
         """The half-space's, whatever the unit: under an elastic ball it is one of the sum of both compliances."""
         return HalfSpaceKernel()

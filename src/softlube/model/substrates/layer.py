@@ -157,7 +157,7 @@ class Layer(SubstratePart):
         check_thickness(values)
         return super().checked(values)
 
-    def kernel(self, length_unit: float, share: float = 1.0, speed: float | None = None) -> LayerKernel:
+    def kernel(self, length_unit: float, share: float = 1.0, speed: float | None = None, time_unit: float = 1.0) -> LayerKernel:
         """Its thickness over the unit, its Poisson ratio, its base and its share."""
         return LayerKernel(self.thickness / length_unit, self.poisson_ratio, self.base, share)
 

@@ -1,12 +1,15 @@
 """Viscoelastic half-spaces and layers: linear, with any Prony series and a constant Poisson ratio.
 
 The relaxation modulus E(t) = E_relaxed + ΣEᵢ e^(−t/τᵢ) multiplies the elastic law, so that its inverse, the creep compliance
-J(t) = J₀ + ΣJᵢ (1 − e^(−t/τᵢ′)), multiplies the elastic displacement.  A point at x was at x + vτ a time τ ago, so
-in steady sliding
+J(t) = J₀ + ΣJᵢ (1 − e^(−t/τᵢ′)), multiplies the elastic displacement wₑ:
 
-    w = J₀ wₑ + ΣJᵢ wᵢ,     wᵢ(x) = ∫₀^∞ e^(−s) wₑ(x + Lᵢ s) ds,     Lᵢ = v τᵢ′,
+    w = J₀ wₑ + ΣJᵢ wᵢ,     τᵢ′ dwᵢ/dt = wₑ − wᵢ.
 
-with the displacement wₑ of the elastic substrate.  Normalised here with the relaxed modulus: J₀ + ΣJᵢ = 1.
+A point at x was at x + vτ a time τ ago, so in steady sliding
+
+    wᵢ(x) = ∫₀^∞ e^(−s) wₑ(x + Lᵢ s) ds,     Lᵢ = v τᵢ′.
+
+Normalised here with the relaxed modulus: J₀ + ΣJᵢ = 1.
 """
 
 from __future__ import annotations
@@ -14,11 +17,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, NamedTuple, get_args
+from typing import Any, ClassVar, get_args
 
 from softlube.errors import InputError, shown
+from softlube.model.creep import Creep, Term, creep_of
 from softlube.model.inputs import LENGTH, NUMBER, PRESSURE, TIME, Input, given
-from softlube.model.lazy import numpy as np
 from softlube.model.prefixes import shown as written
 from softlube.model.substrates.base import Array, Kernel, Remainder, Substrate, SubstratePart
 from softlube.model.substrates.half_space import HalfSpaceKernel
@@ -28,119 +31,58 @@ MOST_TERMS = 100
 """Terms of a Prony series at most: three to a decade do for any material, over all the decades that there are."""
 EXAMPLE = "9 MPa @ 1 ms"
 """A term of a Prony series as text."""
-HALVINGS = 90
-"""Bisections for a root of the secular equation: from `LARGEST_ODDS` down to round-off."""
-LARGEST_ODDS = 300.0
-"""Largest logarithm of how much nearer a root lies to one pole than to the other."""
 
 
-class Term(NamedTuple):
-    """A term of a series: its weight, and its time [s]."""
-
-    weight: float
-    time: float
-
-
-@dataclass(frozen=True)
-class Creep:
-    """Creep compliance J(t) = instantaneous + Σ weight (1 − e^(−t/time)).
+class RememberingKernel(Kernel):
+    """A viscoelastic half-space or layer, normalised with its relaxed modulus: its creep over a relaxed substrate.
 
     Attributes
     ----------
-    instantaneous : float
-        J₀.
-    terms : tuple of Term
-        Jᵢ and τᵢ′, times ascending.
+    shares : tuple of float
+        Jᵢ over the relaxed compliance, positive; J₀ = 1 − Σ shares is positive, too.
+    relaxed : Substrate
+        The elastic substrate that it is once relaxed: a half-space, or a layer all of one material.
     """
 
-    instantaneous: float
-    terms: tuple[Term, ...]
+    words: ClassVar[str] = "a viscoelastic substrate"
+    spans: ClassVar[str]
+    """Name of the attribute that says over what each share builds up."""
+    shares: tuple[float, ...]
+    relaxed: Substrate
+
+    def __post_init__(self) -> None:
+        spans = tuple(map(float, getattr(self, self.spans)))
+        object.__setattr__(self, "shares", tuple(map(float, self.shares)))
+        object.__setattr__(self, self.spans, spans)
+        if len(self.shares) != len(spans):
+            raise InputError(f"shares, {self.spans}: expected as many of each, got {len(self.shares)} and {len(spans)}")
+        if not (all(share > 0 for share in self.shares) and self.instantaneous > 0):
+            raise InputError(f"shares: expected positive numbers with a sum below 1, got {self.shares!r}")
+        if not all(math.isfinite(span) and span >= 0 for span in spans):
+            raise InputError(f"{self.spans}: expected finite numbers, not negative, got {spans!r}")
 
     @property
-    def relaxed(self) -> float:
-        """J for t → ∞."""
-        return self.instantaneous + math.fsum(term.weight for term in self.terms)
+    def instantaneous(self) -> float:
+        """J₀ over the relaxed compliance."""
+        return 1 - math.fsum(self.shares)
 
+    @property
+    def elastic(self) -> Substrate:
+        """The relaxed substrate."""
+        return self.relaxed
 
-def creep_of(relaxed: float, terms: Iterable[tuple[float, float]]) -> Creep:
-    """The creep compliance of a relaxation modulus E(t) = relaxed + Σ Eᵢ e^(−t/τᵢ), exactly.
+    @property
+    def remainder(self) -> Remainder | None:
+        """That of the relaxed substrate: the memory multiplies its kernel."""
+        return self.relaxed.remainder
 
-    Parameters
-    ----------
-    relaxed : float
-        E for t → ∞, positive.
-    terms : iterable of (float, float)
-        Eᵢ and τᵢ, positive, in any order; equal times are taken together.
-
-    Notes
-    -----
-    With Laplace's variable p = −1/t the modulus is f(t) = E − Σ Eᵢτᵢ/(t − τᵢ), the compliance 1/f(t) = J₀ + Σ Jᵢ t/(t − τᵢ′).
-    f rises from −∞ to ∞ between two poles, so there is one root τᵢ′ between each τᵢ and the next and one beyond the last, and
-    Jᵢ = 1/(τᵢ′ f′(τᵢ′)).  Bisection in the logarithm of (t − τᵢ)/(τᵢ₊₁ − t) loses no digit over any number of decades.
-
-    Examples
-    --------
-    >>> creep = creep_of(1.0, [(9.0, 1.0)])
-    >>> print(creep.instantaneous, *(f"{each.weight:.9g} in {each.time:.9g} s" for each in creep.terms))
-    0.1 0.9 in 10 s
-    """
-    merged: dict[float, float] = {}
-    for modulus, duration in terms:
-        merged[duration] = merged.get(duration, 0.0) + modulus
-    times = np.array(sorted(merged))
-    moduli = np.array([merged[each] for each in times.tolist()])
-    instantaneous = 1 / (relaxed + math.fsum(moduli))
-    if not times.size:
-        return Creep(instantaneous, ())
-    strength = moduli * times
-    # f(t) ≥ E − Σ Eᵢτᵢ/(t − τₙ) beyond the last pole, so the last root is not further from it than this.
-    width = np.append(np.diff(times), math.fsum(strength) / relaxed)
-    from_pole = times[:, None] - times  # of the pole below each root from every pole
-
-    def distances(odds: Array) -> Array:
-        """Of points from every pole, shape (points, poles), without cancellation next to the nearest two."""
-        share = 1 / (1 + np.exp(-odds))
-        result = from_pole + (width * share)[:, None]
-        above = np.arange(times.size - 1)
-        result[above, above + 1] = -width[:-1] / (1 + np.exp(odds[:-1]))
-        return result
-
-    low, high = np.full(times.size, -LARGEST_ODDS), np.full(times.size, LARGEST_ODDS)
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        below = relaxed < np.sum(strength / distances(middle), axis=1)
-        low, high = np.where(below, middle, low), np.where(below, high, middle)
-    apart = distances((low + high) / 2)
-    roots = times + np.diagonal(apart)
-    weights = 1 / (roots * np.sum(strength / apart**2, axis=1))
-    return Creep(instantaneous, tuple(map(Term, weights.tolist(), roots.tolist())))
-
-
-def relaxation_of(creep: Creep) -> tuple[float, tuple[Term, ...]]:
-    """The relaxation modulus of a creep compliance, exactly: E for t → ∞, and Eᵢ and τᵢ, times ascending.
-
-    Parameters
-    ----------
-    creep : Creep
-        With a positive instantaneous compliance.
-
-    Notes
-    -----
-    With Laplace's variable p the modulus is E + Σ Eᵢ pτᵢ/(1 + pτᵢ), its inverse J₀ + Σ Jᵢ/(1 + pτᵢ′).  In q = 1/p the second is
-    J₀ + Σ Jᵢ qθᵢ/(1 + qθᵢ) with θᵢ = 1/τᵢ′: a modulus, whose inverse `creep_of` knows.
-
-    Examples
-    --------
-    >>> relaxed, terms = relaxation_of(creep_of(1.0, [(9.0, 1.0)]))
-    >>> print(f"{relaxed:.9g}", *(f"{each.weight:.9g} in {each.time:.9g} s" for each in terms))
-    1 9 in 1 s
-    """
-    inverse = creep_of(creep.instantaneous, [(term.weight, 1 / term.time) for term in creep.terms])
-    return inverse.instantaneous, tuple(Term(term.weight, 1 / term.time) for term in reversed(inverse.terms))
+    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
+        """That of the relaxed substrate."""
+        return self.relaxed.spectrum(reach)
 
 
 @dataclass(frozen=True)
-class ViscoelasticKernel(Kernel):
+class ViscoelasticKernel(RememberingKernel):
     """A viscoelastic half-space or layer under steady sliding, normalised with its relaxed modulus.
 
     Parameters
@@ -162,22 +104,7 @@ class ViscoelasticKernel(Kernel):
     lengths: tuple[float, ...]
     relaxed: Substrate = field(default_factory=HalfSpaceKernel)
     kind: ClassVar[str] = "viscoelastic"
-    words: ClassVar[str] = "a viscoelastic substrate"
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "shares", tuple(map(float, self.shares)))
-        object.__setattr__(self, "lengths", tuple(map(float, self.lengths)))
-        if len(self.shares) != len(self.lengths):
-            raise InputError(f"shares, lengths: expected as many of each, got {len(self.shares)} and {len(self.lengths)}")
-        if not (all(share > 0 for share in self.shares) and self.instantaneous > 0):
-            raise InputError(f"shares: expected positive numbers with a sum below 1, got {self.shares!r}")
-        if not all(math.isfinite(length) and length >= 0 for length in self.lengths):
-            raise InputError(f"lengths: expected finite numbers, not negative, got {self.lengths!r}")
-
-    @property
-    def instantaneous(self) -> float:
-        """J₀ over the relaxed compliance."""
-        return 1 - math.fsum(self.shares)
+    spans: ClassVar[str] = "lengths"
 
     def compliance(self, radius: float) -> float:
         """About the compliance, over the relaxed one, that a contact of some radius sees: J₀ + ΣJᵢ/(1 + Lᵢ/radius)."""
@@ -197,19 +124,44 @@ class ViscoelasticKernel(Kernel):
         """Itself; None where every time is so short or so small that nothing is left of it."""
         return self if any(self.lengths) else None
 
-    @property
-    def elastic(self) -> Substrate:
-        """The relaxed substrate."""
-        return self.relaxed
+
+@dataclass(frozen=True)
+class CreepingKernel(RememberingKernel):
+    """A viscoelastic half-space or layer under a film that changes with time, normalised with its relaxed modulus.
+
+    Parameters
+    ----------
+    shares : tuple of float
+        Jᵢ over the relaxed compliance, positive; J₀ = 1 − Σ shares is positive, too.
+    times : tuple of float
+        τᵢ′ in units of the time of `softlube.transient.squeeze.rings`, not negative.
+    relaxed : Substrate
+        The elastic substrate that it is once relaxed: a half-space, or a layer all of one material.
+
+    Raises
+    ------
+    InputError
+        If an input is not as described.
+    """
+
+    shares: tuple[float, ...]
+    times: tuple[float, ...]
+    relaxed: Substrate = field(default_factory=HalfSpaceKernel)
+    kind: ClassVar[str] = "creeping"
+    spans: ClassVar[str] = "times"
+
+    def in_units(self, unit: float) -> CreepingKernel:
+        """The same half-space with another unit of height, given over the present one."""
+        return replace(self, times=tuple(unit**1.5 * time for time in self.times), relaxed=self.relaxed.in_units(unit))
 
     @property
-    def remainder(self) -> Remainder | None:
-        """That of the relaxed substrate: the memory multiplies its kernel."""
-        return self.relaxed.remainder
-
-    def spectrum(self, reach: float = 0.0) -> tuple[Array, Array]:
-        """That of the relaxed substrate."""
-        return self.relaxed.spectrum(reach)
+    def creep(self) -> Creep:
+        """J₀ with the shares that build up at once, and the others, those of equal times together."""
+        shares: dict[float, float] = {}
+        for share, time in zip(self.shares, self.times, strict=True):
+            shares[time] = shares.get(time, 0.0) + share
+        at_once = shares.pop(0.0, 0.0)
+        return Creep(self.instantaneous + at_once, tuple(Term(shares[time], time) for time in sorted(shares)))
 
 
 class PronyInput(Input):
@@ -285,21 +237,19 @@ class Remembering(SubstratePart):
         """Compliances over the relaxed one, and times [s]."""
         raise NotImplementedError
 
-    def kernel(self, length_unit: float, share: float = 1.0, speed: float | None = None) -> ViscoelasticKernel:
-        """Its creep with the lengths by which the surface moves in its times; an elastic ball adds to the instantaneous part.
+    def kernel(
+        self, length_unit: float, share: float = 1.0, speed: float | None = None, time_unit: float = 1.0
+    ) -> RememberingKernel:
+        """Its creep over the time in which the surface moves by the unit of length, or over the unit of time.
+
+        An elastic ball adds to the instantaneous part.
 
         Raises
         ------
         InputError
-            If the contact is not steady, the surface moves against the liquid, or an elastic ball slides on a layer.
+            If the surface moves against the liquid, or an elastic ball is pressed on a layer.
         """
-        if speed is None:
-            raise InputError(
-                "substrate: one that remembers is solved in steady sliding only; the integration in time has no unknowns for "
-                "what it remembers. Give the relaxed modulus alone if the film is slow beside every time, the instantaneous "
-                "one if it is fast"
-            )
-        if speed < 0:
+        if speed is not None and speed < 0:
             raise InputError(
                 "slide_to_roll: below -2 a substrate that remembers moves against the liquid, which is not solved; expected a "
                 f"number from -2 on, got a substrate's speed of {speed:g} m/s"
@@ -313,9 +263,10 @@ class Remembering(SubstratePart):
         if self.thickness is not None:
             relaxed = LayerKernel(self.thickness / length_unit, self.poisson_ratio, self.base)
         terms = self.creep.terms
-        return ViscoelasticKernel(
-            tuple(share * each.weight for each in terms), tuple(speed * each.time / length_unit for each in terms), relaxed
-        )
+        shares = tuple(share * each.weight for each in terms)
+        if speed is None:
+            return CreepingKernel(shares, tuple(each.time / time_unit for each in terms), relaxed)
+        return ViscoelasticKernel(shares, tuple(speed * each.time / length_unit for each in terms), relaxed)
 
 
 class Viscoelastic(Remembering):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
+from scipy.sparse import csc_array
 
 from softlube.discretization.grid import PolarGrid
 from softlube.discretization.splines import lowest, slope_matrix
@@ -15,6 +16,7 @@ from softlube.errors import InputError, NotConvergedError
 from softlube.solvers.progress import Listener, Progress
 from softlube.solvers.threads import one_thread
 from softlube.transient.motion import Motion
+from softlube.transient.squeeze.memory import Memory
 from softlube.transient.squeeze.rings import SqueezeFilm
 
 Array = NDArray[np.floating]
@@ -52,7 +54,7 @@ class Run:
     evaluations : int
         Number of evaluations of ∂u/∂t.
     dense : callable
-        Lifts on n rings at any times, shape (times, n), by the integrator's own interpolant.
+        States of the film at any times, shape (times, k), by the integrator's own interpolant.
     """
 
     film: SqueezeFilm
@@ -87,11 +89,11 @@ class Run:
         return read(self.film, *_fields(self.film, self.motion, time, self.dense(time)))
 
 
-def _fields(film: SqueezeFilm, motion: Motion, time: Array, lifts: Array) -> tuple[Array, Array, Array, Array]:
-    """Films and pressures on all rings, heights and loads, from the lifts on n rings, shape (times, n)."""
+def _fields(film: SqueezeFilm, motion: Motion, time: Array, states: Array) -> tuple[Array, Array, Array, Array]:
+    """Films and pressures on all rings, heights and loads, from the states of the film, shape (times, k)."""
     drive = np.array([float(motion.drive(t)) for t in time])
-    pressures = film.pressure(lifts, drive)
-    return film.whole_film(lifts, drive), pressures, film.height(lifts, drive), pressures @ film.load_weights
+    pressures = film.pressure(states, drive)
+    return film.whole_film(states, drive), pressures, film.height(states, drive), pressures @ film.load_weights
 
 
 def read(film: SqueezeFilm, films: Array, pressures: Array, heights: Array, loads: Array) -> dict[str, Array]:
@@ -180,7 +182,9 @@ def integrate(
     added = np.minimum(shape, FAR_ABOVE * motion.indenter.height(grid.edge))  # to the lift
     inside = max(3, int(np.searchsorted(grid.r, BALANCE_RADIUS * grid.edge)))
     to_inflow, to_volume = film.inflow_weights(inside), film.volume_weights(inside)
-    first = film.lift_under(motion.first_pressure(film), motion.initial_height)
+    memory = Memory(film)
+    pressure, past = motion.first_pressure(film), motion.past(film)
+    first = film.lift_under(pressure * motion.yielded(film), motion.initial_height)
     thinnest = float(np.min(first + shape))
     if thinnest <= film_limit:
         raise InputError(
@@ -188,16 +192,17 @@ def integrate(
             f"above the limit, {film_limit / motion.initial_height:.3g} of it"
         )
 
-    def rate(t: float, z: Array) -> Array:
-        flux = film.flux(z[:n] - added, float(motion.drive(t)))
-        return np.append(film.rate(flux), to_inflow @ flux)
+    def state(z: Array) -> Array:
+        return memory.state(z[..., :n] - added, z[..., n + 1 :])
 
-    def jacobian(t: float, z: Array) -> Array:
-        by_film = film.flux_derivative(z[:n] - added, float(motion.drive(t)))
-        whole = np.zeros((n + 1, n + 1))
-        whole[:n, :n] = film.rate(by_film)
-        whole[n, :n] = to_inflow @ by_film
-        return whole
+    def rate(t: float, z: Array) -> Array:
+        now, drive = state(z), float(motion.drive(t))
+        flux = film.flux(now, drive)
+        return np.concatenate([film.rate(flux), [to_inflow @ flux], memory.rate(z[n + 1 :], now, drive)])
+
+    def jacobian(t: float, z: Array) -> Array | csc_array:
+        by_state = film.flux_derivative(state(z), float(motion.drive(t)))
+        return memory.jacobian(np.vstack([film.rate(by_state), to_inflow @ by_state]))
 
     steps = 0
 
@@ -209,13 +214,14 @@ def integrate(
         return least_on_nodes(z[:n] - added + shape) - film_limit
 
     above_limit.terminal = True  # type: ignore[attr-defined]
-    least = np.full(n + 1, 1e-5 * tolerance * grid.edge**2)
+    remembered = memory.at_first(pressure, past)
+    least = np.full(n + 1 + remembered.size, 1e-5 * tolerance * grid.edge**2)
     least[n] = 0.1 * tolerance * float(to_volume @ (first + shape))
     with np.errstate(over="ignore", invalid="ignore"):  # BDF computes with rows that it has not filled yet
         result = solve_ivp(
             rate,
             (0.0, motion.duration),
-            np.append(first + added, 0.0),
+            np.concatenate([first + added, [0.0], remembered.ravel()]),
             method="BDF",
             jac=jacobian,
             rtol=tolerance,
@@ -229,7 +235,7 @@ def integrate(
             f"the time integration failed at {result.t[-1] / motion.duration:.3g} of the time: {result.message}"
         )
     interpolant = result.sol
-    films, pressures, heights, loads = _fields(film, motion, result.t, result.y[:n].T - added)
+    films, pressures, heights, loads = _fields(film, motion, result.t, state(result.y.T))
     return Run(
         film=film,
         motion=motion,
@@ -243,5 +249,5 @@ def integrate(
         inflow=result.y[n],
         ended_by="film_limit" if result.status == 1 else "duration",
         evaluations=result.nfev,
-        dense=lambda times: interpolant(times)[:n].T - added,
+        dense=lambda times: state(interpolant(times).T),
     )

@@ -11,6 +11,13 @@ paraboloid.
 The film on the nodes is the unknown, less the shape: the lift l = u − f = h₀ + K p, which keeps what a nearly rigid
 indenter's small deflections say from drowning in f.  It gives the pressure by p = K⁻¹(l − h₀), and h₀ under a given load N
 by ∫p dA = N, both linear.  So no algebraic equation is left for the time integrator.
+
+A substrate with the creep compliance J₀ + ΣJᵢ (1 − e^(−t/τᵢ)) remembers s = ΣJᵢ pᵢ of the pressure,
+
+    l = h₀ + K (J₀ p + s),      τᵢ dpᵢ/dt = p − pᵢ,
+
+so that J₀ p + s = K⁻¹(l − h₀), whose load is J₀ N + ∫s dA.  What is remembered joins the lift: lift, s and, under a load, ∫s dA
+make the state on which everything depends linearly.
 """
 
 from __future__ import annotations
@@ -25,6 +32,7 @@ from numpy.typing import ArrayLike, NDArray
 from softlube.discretization.grid import RIM, PolarGrid
 from softlube.discretization.radial import radial_operators
 from softlube.discretization.reynolds import ReynoldsOperator
+from softlube.model.creep import Creep
 from softlube.model.dry import PARABOLOID
 from softlube.model.film_section import film_section
 from softlube.model.indenters import Shape
@@ -48,7 +56,7 @@ def radial_moment(liquid: Liquid, difference: Array) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class SqueezeFilm:
-    """The discrete squeeze film; vectors live on the n rings whose film is unknown, or on all N = n + RIM.
+    """The discrete squeeze film; vectors live on the n rings whose film is unknown, or on all N = n + RIM, or are states.
 
     Attributes
     ----------
@@ -58,12 +66,15 @@ class SqueezeFilm:
         What is prescribed as a function of time, q below: the load ∫p dA or the height h₀.
     shape : ndarray, shape (N,)
         Height f of the indenter's surface over its lowest point, r²/2 for the paraboloid.
-    pressure_by_lift, pressure_by_drive : ndarray, shape (N, n) and (N,)
-        p = pressure_by_lift l + pressure_by_drive q.
-    height_by_lift, height_by_drive : ndarray, shape (n,), and float
-        h₀ = height_by_lift l + height_by_drive q.
-    rim_by_lift, rim_by_drive : ndarray, shape (RIM, n) and (RIM,)
-        Lift on the RIM rings at the rim = rim_by_lift l + rim_by_drive q.
+    creep : Creep
+        Of the substrate; nothing but the instantaneous compliance 1 if it is elastic.
+    pressure_by_state, pressure_by_drive : ndarray, shape (N, k) and (N,)
+        p = pressure_by_state z + pressure_by_drive q.  The state z is the lift on n rings; if the substrate creeps, the
+        remembered pressure s on them and, under a load, ∫s dA come after it.
+    height_by_state, height_by_drive : ndarray, shape (k,), and float
+        h₀ = height_by_state z + height_by_drive q.
+    rim_by_state, rim_by_drive : ndarray, shape (RIM, k) and (RIM,)
+        Lift on the RIM rings at the rim = rim_by_state z + rim_by_drive q.
     compliance : ndarray, shape (N, N)
         Deflection by pressure.
     load_weights : ndarray, shape (N,)
@@ -81,11 +92,12 @@ class SqueezeFilm:
     grid: PolarGrid
     control: Control
     shape: Array
-    pressure_by_lift: Array
+    creep: Creep
+    pressure_by_state: Array
     pressure_by_drive: Array
-    height_by_lift: Array
+    height_by_state: Array
     height_by_drive: float
-    rim_by_lift: Array
+    rim_by_state: Array
     rim_by_drive: Array
     compliance: Array
     load_weights: Array
@@ -109,7 +121,8 @@ class SqueezeFilm:
         """Build the equations of a grid (only its radii are used); a half-space and constant viscosity where not given."""
         grid = grid.resized(grid.n_r, ANGLES)
         n = grid.n_r
-        kernels, measure = radial_operators(grid, np.arange(1), (substrate or HalfSpaceKernel()).remainder)
+        substrate = substrate or HalfSpaceKernel()
+        kernels, measure = radial_operators(grid, np.arange(1), substrate.remainder)
 
         # Beyond the last ring the pressure falls like r⁻⁴.  Its load is counted, its deflection (of order reach⁻³) is not.
         extend = np.vstack([np.eye(n), np.zeros((RIM, n))])
@@ -127,6 +140,14 @@ class SqueezeFilm:
             height_by_lift, height_by_drive = np.zeros(n), 1.0
         by_film = stiffness - np.outer(punch, height_by_lift)
         by_drive = -punch * height_by_drive
+        rim_by_lift, rim_by_drive = compliance[n:] @ by_film + height_by_lift, compliance[n:] @ by_drive + height_by_drive
+
+        # All that is true of J₀ p + s, which carries J₀ times the load and ∫s dA.
+        creep = substrate.creep or Creep(1.0, ())
+        states = 2 * n + (control == "load") if creep.terms else n
+        lifts, remembered, more_load = np.eye(n, states), np.eye(n, states, n), np.zeros(states)
+        more_load[2 * n :] = 1
+        carried = creep.instantaneous if control == "load" else 1.0
 
         operator = ReynoldsOperator.on(grid)
         angles = grid.shape[1]
@@ -145,12 +166,13 @@ class SqueezeFilm:
             grid=grid,
             control=control,
             shape=indenter.height(grid.r),
-            pressure_by_lift=extend @ by_film,
-            pressure_by_drive=extend @ by_drive,
-            height_by_lift=height_by_lift,
-            height_by_drive=float(height_by_drive),
-            rim_by_lift=compliance[n:] @ by_film + height_by_lift,
-            rim_by_drive=compliance[n:] @ by_drive + height_by_drive,
+            creep=creep,
+            pressure_by_state=extend @ (by_film @ lifts - remembered + np.outer(by_drive, more_load)) / creep.instantaneous,
+            pressure_by_drive=extend @ by_drive * (carried / creep.instantaneous),
+            height_by_state=height_by_lift @ lifts + height_by_drive * more_load,
+            height_by_drive=float(height_by_drive) * carried,
+            rim_by_state=rim_by_lift @ lifts + np.outer(rim_by_drive, more_load),
+            rim_by_drive=rim_by_drive * carried,
             compliance=kernels[0],
             load_weights=weights,
             slope=rings(differences.slope[radial].toarray()),
@@ -164,59 +186,60 @@ class SqueezeFilm:
 
     @property
     def n(self) -> int:
-        """Number of unknowns."""
+        """Number of rings whose film is unknown."""
         return self.grid.n_r
 
-    def pressure(self, lift: Array, drive: ArrayLike) -> Array:
-        """Pressure on all N rings, (..., N), under lifts on n rings, (..., n), and what is prescribed with each."""
-        return lift @ self.pressure_by_lift.T + np.multiply.outer(drive, self.pressure_by_drive)
+    def pressure(self, state: Array, drive: ArrayLike) -> Array:
+        """Pressure on all N rings, (..., N), in some states, (..., k), and under what is prescribed with each."""
+        return state @ self.pressure_by_state.T + np.multiply.outer(drive, self.pressure_by_drive)
 
-    def height(self, lift: Array, drive: ArrayLike) -> Array:
+    def height(self, state: Array, drive: ArrayLike) -> Array:
         """Height h₀ of the sphere's lowest point over the undeformed surface."""
-        return lift @ self.height_by_lift + np.multiply(drive, self.height_by_drive)
+        return state @ self.height_by_state + np.multiply(drive, self.height_by_drive)
 
     def load(self, pressure: Array) -> float:
         """∫p dA over the whole plane."""
         return float(self.load_weights @ pressure)
 
-    def whole_film(self, lift: Array, drive: ArrayLike) -> Array:
+    def whole_film(self, state: Array, drive: ArrayLike) -> Array:
         """Film on all N rings, (..., N)."""
-        rim = lift @ self.rim_by_lift.T + np.multiply.outer(drive, self.rim_by_drive)
-        return self.shape + np.concatenate([lift, rim], axis=-1)
+        rim = state @ self.rim_by_state.T + np.multiply.outer(drive, self.rim_by_drive)
+        return self.shape + np.concatenate([state[..., : self.n], rim], axis=-1)
 
     def lift_under(self, pressure: Array, height: float) -> Array:
-        """Lift on the n rings under a pressure on all N, Eq. (6c)."""
+        """Lift on the n rings under a pressure on all N that has acted for long, Eq. (6c)."""
         return height + (self.compliance @ pressure)[: self.n]
 
     @cached_property
     def _on_faces(self) -> tuple[Array, Array, Array, Array]:
-        """Film and slope of the pressure on the faces by the lift, (faces, n), and by the drive, (faces,)."""
-        film_by_lift = self.midpoint[:, : self.n] + self.midpoint[:, self.n :] @ self.rim_by_lift
+        """Film and slope of the pressure on the faces by the state, (faces, k), and by the drive, (faces,)."""
+        film_by_state = self.midpoint[:, self.n :] @ self.rim_by_state
+        film_by_state[:, : self.n] += self.midpoint[:, : self.n]
         film_by_drive = self.midpoint[:, self.n :] @ self.rim_by_drive
-        return film_by_lift, film_by_drive, self.slope @ self.pressure_by_lift, self.slope @ self.pressure_by_drive
+        return film_by_state, film_by_drive, self.slope @ self.pressure_by_state, self.slope @ self.pressure_by_drive
 
     @cached_property
     def _shape_on_faces(self) -> Array:
         return self.midpoint @ self.shape
 
-    def _films_and_slopes(self, lift: Array, drive: float) -> tuple[Array, Array]:
-        film_by_lift, film_by_drive, slope_by_lift, slope_by_drive = self._on_faces
-        film = self._shape_on_faces + film_by_lift @ lift + drive * film_by_drive
-        return film, slope_by_lift @ lift + drive * slope_by_drive
+    def _films_and_slopes(self, state: Array, drive: float) -> tuple[Array, Array]:
+        film_by_state, film_by_drive, slope_by_state, slope_by_drive = self._on_faces
+        film = self._shape_on_faces + film_by_state @ state + drive * film_by_drive
+        return film, slope_by_state @ state + drive * slope_by_drive
 
-    def _fluidity(self, lift: Array, drive: float) -> tuple[Array, Array]:
+    def _fluidity(self, state: Array, drive: float) -> tuple[Array, Array]:
         """Fluidity on the faces, and its change with the pressure there."""
         if isinstance(self.liquid, NewtonianLaw):
             return np.ones(1), np.zeros(1)
-        return self.liquid.fluidity(self.midpoint @ self.pressure(lift, drive))
+        return self.liquid.fluidity(self.midpoint @ self.pressure(state, drive))
 
-    def _driven(self, lift: Array, drive: float) -> tuple[Array, Array, Array, Array]:
+    def _driven(self, state: Array, drive: float) -> tuple[Array, Array, Array, Array]:
         """Flux on the faces, and its derivatives by the slope of the pressure, by the film and by the pressure there.
 
         A liquid that thins with shear has φu²m/6 in place of φu³∂p/∂r, see `softlube.model.film_section`.
         """
-        film, slope = self._films_and_slopes(lift, drive)
-        fluidity, thickening = self._fluidity(lift, drive)
+        film, slope = self._films_and_slopes(state, drive)
+        fluidity, thickening = self._fluidity(state, drive)
         if not self.liquid.thins:
             mobility = self.conductance * film**3
             pushed = 3 * self.conductance * fluidity * film**2 * slope
@@ -230,24 +253,24 @@ class SqueezeFilm:
             size * thickening * film * moment,
         )
 
-    def flux(self, lift: Array, drive: float) -> Array:
+    def flux(self, state: Array, drive: float) -> Array:
         """Flux r φu³ ∂p/∂r on the faces: the inflow, over 2π."""
-        return self._driven(lift, drive)[0]
+        return self._driven(state, drive)[0]
 
-    def flux_derivative(self, lift: Array, drive: float) -> Array:
-        """∂flux/∂u, exact, shape (faces, n)."""
-        _, by_slope, by_film, by_pressure = self._driven(lift, drive)
-        film_by_lift, _, slope_by_lift, _ = self._on_faces
-        by_lift = by_film[:, None] * film_by_lift
-        by_lift += by_slope[:, None] * slope_by_lift
+    def flux_derivative(self, state: Array, drive: float) -> Array:
+        """∂flux/∂z, exact, shape (faces, k)."""
+        _, by_slope, by_film, by_pressure = self._driven(state, drive)
+        film_by_state, _, slope_by_state, _ = self._on_faces
+        by_state = by_film[:, None] * film_by_state
+        by_state += by_slope[:, None] * slope_by_state
         if np.any(by_pressure):
-            by_lift += by_pressure[:, None] * self._pressure_on_faces
-        return by_lift
+            by_state += by_pressure[:, None] * self._pressure_on_faces
+        return by_state
 
     @cached_property
     def _pressure_on_faces(self) -> Array:
-        """Pressure on the faces by the lift."""
-        return self.midpoint @ self.pressure_by_lift
+        """Pressure on the faces by the state."""
+        return self.midpoint @ self.pressure_by_state
 
     def rate(self, flux: Array) -> Array:
         """∂u/∂t on the n rings from the fluxes (or its derivatives, from theirs)."""
