@@ -26,6 +26,10 @@ A coefficient of 1 takes a fifth of the rings away and trebles the error of the 
 (docs/notes/numerical-method.md)."""
 
 
+BAND_ENDS = 0.1
+"""Width over which a band of even cells begins and ends, over its own."""
+
+
 @dataclass(frozen=True)
 class PolarGrid:
     """Half of the plane, 0 ≤ θ ≤ π, in cells that are uniform in (ξ, s).
@@ -33,8 +37,9 @@ class PolarGrid:
     Radially, with ρ = r/`edge` and d = `edge_width`, ξ(r) = asinh((ρ − 1)/d) + asinh((ρ + 1)/d) − 0.8 asinh(ρ/2): cells are
     about d wide (over `edge`, in units of Δξ) at the contact edge and grow in proportion to the distance from it, faster far
     outside where the pressure is a power of r.  A `crest` adds a second zone of the same kind, and a `core` one about the
-    centre, asinh(ρ/core) − asinh(ρ/2), which adds nothing far outside.  ξ is odd in r, so the mesh continues smoothly through
-    the centre to the opposite side, (−r, θ) = (r, π − θ).
+    centre, asinh(ρ/core) − asinh(ρ/2), which adds nothing far outside.  A `band` adds cells of even width between two radii,
+    for an edge that moves.  ξ is odd in r, so the mesh continues smoothly through the centre to the opposite side,
+    (−r, θ) = (r, π − θ).
 
     Angularly, ds/dθ ∝ 1 + c/√(w² + cos²θ) with w = `side_width` and c = `side_clustering`: intervals shrink in proportion to
     the distance from 90°, down to a zone of angle w around it.  The number of angles that it takes to resolve a narrow feature
@@ -62,6 +67,10 @@ class PolarGrid:
         Coefficient of the last term of ξ(r), by which the mesh is thinned beyond the contact.
     core : float
         Width of the refined zone about the centre, relative to `edge`; `WIDE` for none.
+    band : float
+        Inner radius of a band up to the edge, relative to `edge`, over which cells of even width are spread; 1 for none.
+    band_share : float
+        How much ξ grows by them, see `xi_of`.
     """
 
     n_r: int
@@ -75,6 +84,8 @@ class PolarGrid:
     crest_width: float = 0.05
     thinning: float = THINNING
     core: float = WIDE
+    band: float = 1.0
+    band_share: float = 0.0
 
     def __post_init__(self) -> None:
         if self.n_r < 8 or self.n_theta < 6:
@@ -83,6 +94,8 @@ class PolarGrid:
             raise ValueError("a polar grid needs widths > 0, side_clustering > 0, reach > 1 and edge > 0")
         if not 0 < self.core <= WIDE:
             raise ValueError(f"a polar grid needs a core of up to {WIDE:g}")
+        if not (0 < self.band <= 1 and self.band_share >= 0):
+            raise ValueError("a polar grid needs a band that begins between its centre and its edge, and a share >= 0")
         if not 0 <= self.crest < self.reach:
             raise ValueError("a polar grid needs a crest between 0 and its reach")
 
@@ -99,6 +112,10 @@ class PolarGrid:
         fine = sum(np.arcsinh((rho - place) / d) + np.arcsinh((rho + place) / d) for place, d in self._zones)
         if self.core < WIDE:
             fine = fine + np.arcsinh(rho / self.core) - np.arcsinh(rho / WIDE)
+        if self.band < 1:
+            smooth = BAND_ENDS * (1 - self.band)
+            inner, outer = (np.hypot(smooth, rho - place) - np.hypot(smooth, rho + place) for place in (self.band, 1.0))
+            fine = fine + self.band_share / (2 * (1 - self.band)) * (inner - outer)
         return fine - self.thinning * np.arcsinh(rho / WIDE)
 
     @cached_property
@@ -112,6 +129,8 @@ class PolarGrid:
             # Newton's method needs a table that has seen the zones.
             near = self.crest + self.crest_width * np.sinh(np.linspace(-5, 5, 201))
             table = np.union1d(table, near[near > 0])
+        if self.band < 1:
+            table = np.union1d(table, np.linspace(2 * self.band - 1, 2 - self.band, 401).clip(0))
         table[0] = 0
         return self.xi_of(table * self.edge), table
 
@@ -132,6 +151,13 @@ class PolarGrid:
         fine = sum(1 / np.hypot(d, rho - place) + 1 / np.hypot(d, rho + place) for place, d in self._zones)
         if self.core < WIDE:
             fine = fine + 1 / np.hypot(self.core, rho) - 1 / np.hypot(WIDE, rho)
+        if self.band < 1:
+            smooth = BAND_ENDS * (1 - self.band)
+            inner, outer = (
+                (rho - place) / np.hypot(smooth, rho - place) - (rho + place) / np.hypot(smooth, rho + place)
+                for place in (self.band, 1.0)
+            )
+            fine = fine + self.band_share / (2 * (1 - self.band)) * (inner - outer)
         return self.edge / (fine - self.thinning / np.hypot(WIDE, rho))
 
     @cached_property

@@ -11,6 +11,7 @@ from softlube.model.motions import Sliding
 from softlube.model.parts import resolve
 from softlube.physical.inputs import StartOfSliding
 from softlube.physical.squeeze import Setup
+from softlube.transient.sliding.integrate import check_substrate
 
 
 def read_sliding(setup: Setup, given: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -34,8 +35,9 @@ def read_sliding(setup: Setup, given: Mapping[str, Any]) -> tuple[dict[str, Any]
     Raises
     ------
     InputError
-        If an input is missing or impossible, or the motion is no plain sliding.
+        If an input is missing or impossible, the motion is no plain sliding, or the substrate remembers.
     """
+    check_substrate(setup.substrate_for(setup.unit_height))
     motion = resolve([Sliding.slot], given)[Sliding.slot]
     if not isinstance(motion, Sliding):
         raise InputError("entrainment_speed: a start of rolling is not solved; give the speed of a ball that slides instead")

@@ -114,7 +114,7 @@ class Setup(Materials):
         depth, suction = max(-extremes.least_height, 0.0), -extremes.least_pressure
         by_layer: list[str] = []
         radius = (self.reduced_radius * depth) ** 0.5
-        substrate, shape = self.substrate_for(self.unit_height), self.shape_for(self.unit_height)
+        substrate, shape = self.substrate_for(self.unit_height).elastic, self.shape_for(self.unit_height)
         layered, paraboloid = isinstance(substrate, LayerKernel), shape == PARABOLOID
         if depth > 0 and (layered or not paraboloid):
             deep = depth / self.unit_height

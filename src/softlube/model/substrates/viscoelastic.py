@@ -124,6 +124,20 @@ class ViscoelasticKernel(RememberingKernel):
         """Itself; None where every time is so short or so small that nothing is left of it."""
         return self if any(self.lengths) else None
 
+    @property
+    def creep(self) -> Creep:
+        """None that is known: lengths say nothing of the time.
+
+        Raises
+        ------
+        InputError
+            Always.
+        """
+        raise InputError(
+            "substrate: under a film that changes with time a substrate remembers over times, a CreepingKernel; got lengths of "
+            "steady sliding, a ViscoelasticKernel"
+        )
+
 
 @dataclass(frozen=True)
 class CreepingKernel(RememberingKernel):
@@ -153,6 +167,20 @@ class CreepingKernel(RememberingKernel):
     def in_units(self, unit: float) -> CreepingKernel:
         """The same half-space with another unit of height, given over the present one."""
         return replace(self, times=tuple(unit**1.5 * time for time in self.times), relaxed=self.relaxed.in_units(unit))
+
+    @property
+    def memory(self) -> ViscoelasticKernel:
+        """None that is known: times say nothing of the lengths by which the surface moves in them.
+
+        Raises
+        ------
+        InputError
+            Always.
+        """
+        raise InputError(
+            "substrate: under steady sliding a substrate remembers over lengths, a ViscoelasticKernel; got times of a film that "
+            "changes with time, a CreepingKernel"
+        )
 
     @property
     def creep(self) -> Creep:

@@ -28,6 +28,7 @@ from softlube.discretization.unsteady import Step, mass_matrix
 from softlube.errors import InputError, NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Cavitation, Problem
+from softlube.model.substrates import Substrate
 from softlube.solvers.newton import newton
 from softlube.solvers.progress import Listener, Progress
 from softlube.steady.mesh import angles_for, grid_for
@@ -173,8 +174,25 @@ def _difference(times: list[float], films: list[Array], time: float) -> tuple[fl
     return (1 + 2 * ratio) / (1 + ratio) / step, before * films[-2] - (1 + ratio) / step * films[-1]
 
 
+def check_substrate(substrate: Substrate) -> None:
+    """Refuse a substrate that remembers: what it remembers moves with its surface, and each time step would need a matrix of it.
+
+    Raises
+    ------
+    InputError
+        If it does.
+    """
+    if substrate.creep is not None:
+        raise InputError(
+            "substrate: a start of sliding on one that remembers is not solved, as what it remembers moves with its surface. Give "
+            "the relaxed modulus alone if the film is slow beside every time, the instantaneous one if it is fast; without a "
+            "speed, a squeeze film remembers"
+        )
+
+
 def _check(motion: Motion, pressed: float, cavitation: str, tolerance: float) -> None:
     """Refuse what `start_sliding` does not take."""
+    check_substrate(motion.substrate)
     by_load = motion.control == "load"
     if not 0 < tolerance <= 0.1:
         raise InputError(f"tolerance: expected a number from 0 to 0.1, got {tolerance!r}")

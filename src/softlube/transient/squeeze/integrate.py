@@ -25,6 +25,8 @@ BALANCE_RADIUS = 2.0
 """Radius, over that of the grid's edge, within which the balance of volume is checked."""
 FAR_ABOVE = 4.0
 """Height of the indenter's surface over that at the grid's edge beyond which the film's own size says nothing."""
+REMEMBERED = 1e-4
+"""Pressure below which what is remembered needs no relative accuracy, over the radius of the grid's edge."""
 HISTORIES = ("film_center", "film_min", "film_min_radius", "pressure_center", "pressure_max", "pressure_min", "height", "load")
 """Quantities of a squeeze film that are functions of the time; see `softlube.model.quantities`."""
 
@@ -183,8 +185,8 @@ def integrate(
     inside = max(3, int(np.searchsorted(grid.r, BALANCE_RADIUS * grid.edge)))
     to_inflow, to_volume = film.inflow_weights(inside), film.volume_weights(inside)
     memory = Memory(film)
-    pressure, past = motion.first_pressure(film), motion.past(film)
-    first = film.lift_under(pressure * motion.yielded(film), motion.initial_height)
+    pressure = motion.first_pressure(film)
+    first = film.lift_under(motion.yielded(film.shape) * pressure, motion.initial_height)
     thinnest = float(np.min(first + shape))
     if thinnest <= film_limit:
         raise InputError(
@@ -214,8 +216,9 @@ def integrate(
         return least_on_nodes(z[:n] - added + shape) - film_limit
 
     above_limit.terminal = True  # type: ignore[attr-defined]
-    remembered = memory.at_first(pressure, past)
+    remembered = memory.at_first(motion.past(film.shape) * pressure)
     least = np.full(n + 1 + remembered.size, 1e-5 * tolerance * grid.edge**2)
+    least[n + 1 :] = REMEMBERED * tolerance * grid.edge
     least[n] = 0.1 * tolerance * float(to_volume @ (first + shape))
     with np.errstate(over="ignore", invalid="ignore"):  # BDF computes with rows that it has not filled yet
         result = solve_ivp(

@@ -53,18 +53,10 @@ class Memory:
         by_state, by_drive = self.film.pressure_by_state[: min(n, width)], self.film.pressure_by_drive[: min(n, width)]
         return np.vstack([by_state, np.zeros((by_load, by_state.shape[1]))]), np.append(by_drive, np.ones(by_load))
 
-    def at_first(self, pressure: Array, past: Array) -> Array:
-        """What is remembered of a pressure on all N rings, shape (m, w).
-
-        Parameters
-        ----------
-        pressure : ndarray, shape (N,)
-        past : ndarray, shape (m, N)
-            Share of the pressure that each term has had time to take up.
-        """
-        _, width = self.shape
-        remembered = past * pressure
-        return np.column_stack([remembered[:, : self.film.n], remembered @ self.film.load_weights])[:, :width]
+    def at_first(self, pressures: Array) -> Array:
+        """What is remembered where each term has a pressure of its own on all N rings, shape (m, N); shape (m, w)."""
+        own = pressures[:, : self.film.n]
+        return np.column_stack([own, own @ self.film.ring_weights])[:, : self.shape[1]]
 
     def state(self, lift: Array, remembered: Array) -> Array:
         """State of the film, (..., k), of lifts on n rings, (..., n), and of what is remembered, (..., m w)."""

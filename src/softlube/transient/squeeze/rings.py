@@ -77,8 +77,8 @@ class SqueezeFilm:
         Lift on the RIM rings at the rim = rim_by_state z + rim_by_drive q.
     compliance : ndarray, shape (N, N)
         Deflection by pressure.
-    load_weights : ndarray, shape (N,)
-        Weights of ∫p dA over the whole plane.
+    load_weights, ring_weights : ndarray, shape (N,) and (n,)
+        Weights of ∫p dA over the whole plane, of the pressure on all rings and on n of them, whose last says how it goes on.
     slope, midpoint, divergence : ndarray
         Differences of the Reynolds equation, see `softlube.discretization.reynolds.ReynoldsOperator`.
     conductance, across : ndarray
@@ -101,6 +101,7 @@ class SqueezeFilm:
     rim_by_drive: Array
     compliance: Array
     load_weights: Array
+    ring_weights: Array
     slope: Array
     midpoint: Array
     divergence: Array
@@ -131,11 +132,11 @@ class SqueezeFilm:
         weights[-1] += 2 * np.pi * grid.r[-1] ** 2 / (DECAY - 2)
         compliance = kernels[0] @ extend
         stiffness = np.linalg.inv(compliance[:n])
-        punch, own_weights = stiffness.sum(axis=1), weights @ extend
+        punch, ring_weights = stiffness.sum(axis=1), weights @ extend
         if control == "load":
             # A uniform shift of the film changes the load by `lift`: h₀ is eliminated.
-            lift = own_weights @ punch
-            height_by_lift, height_by_drive = own_weights @ stiffness / lift, -1 / lift
+            lift = ring_weights @ punch
+            height_by_lift, height_by_drive = ring_weights @ stiffness / lift, -1 / lift
         else:
             height_by_lift, height_by_drive = np.zeros(n), 1.0
         by_film = stiffness - np.outer(punch, height_by_lift)
@@ -175,6 +176,7 @@ class SqueezeFilm:
             rim_by_drive=rim_by_drive * carried,
             compliance=kernels[0],
             load_weights=weights,
+            ring_weights=ring_weights,
             slope=rings(differences.slope[radial].toarray()),
             midpoint=rings(differences.midpoint[radial].toarray()),
             divergence=divergence,
