@@ -18,6 +18,7 @@ import os
 import sys
 from collections import defaultdict
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -35,12 +36,12 @@ from softlube.model.liquids.barus import BarusLaw
 from softlube.model.liquids.roelands import RoelandsLaw
 from softlube.model.problem import Problem
 from softlube.model.quantities import QUANTITIES
-from softlube.model.substrates import LayerKernel, ViscoelasticKernel
+from softlube.model.substrates import CreepingKernel, LayerKernel, ViscoelasticKernel
 from softlube.solvers.code_version import code_version
 from softlube.steady.error_estimate import looser, yardstick
 from softlube.steady.regime import Regime
 from softlube.steady.solve import solve_problem
-from softlube.transient.motion import Motion, constant_load
+from softlube.transient.motion import Motion, constant_load, history
 from softlube.transient.sliding.result import HISTORIES, follow_sliding
 from softlube.transient.sliding.result import measured as slid
 from softlube.transient.squeeze.integrate import integrate
@@ -66,12 +67,16 @@ def _layer(rng: Random, thinnest: float, thickest: float) -> dict[str, Any]:
     return _half_space(rng, 10, 1e4) | {"substrate": substrate}
 
 
-def _remembering(rng: Random) -> dict[str, Any]:
-    """A modulus that falls by a factor of 1.2 to 10, in one to four times."""
+def _fading(rng: Random) -> tuple[float, ...]:
+    """Shares of a compliance that grows by a factor of 1.2 to 10, in one to four times."""
     terms = int(rng.integers(1, 5))
-    parts = rng.dirichlet(np.ones(terms)) * (1 - 1 / _between(rng, 1.2, 10))
-    lengths = [_between(rng, 0.03, 30) for _ in parts]
-    return _half_space(rng, 10, 1e5) | {"substrate": ViscoelasticKernel(tuple(parts.tolist()), tuple(lengths))}
+    return tuple((rng.dirichlet(np.ones(terms)) * (1 - 1 / _between(rng, 1.2, 10))).tolist())
+
+
+def _remembering(rng: Random) -> dict[str, Any]:
+    shares = _fading(rng)
+    lengths = tuple(_between(rng, 0.03, 30) for _ in shares)
+    return _half_space(rng, 10, 1e5) | {"substrate": ViscoelasticKernel(shares, lengths)}
 
 
 def _barus(rng: Random) -> dict[str, Any]:
@@ -110,7 +115,8 @@ INDENTERS: dict[str, Callable[[Random], dict[str, Any]]] = {
 MEMORIES: dict[str, Callable[[Random], dict[str, Any]]] = {"remembers": _remembering}
 STEADY = HALF_SPACES_AND_LAYERS | INDENTERS | MEMORIES
 TRANSIENT = ("squeeze", "start of sliding")
-KINDS = (*HALF_SPACES_AND_LAYERS, *TRANSIENT, *INDENTERS, *MEMORIES)
+CREEPING = "squeeze remembers"
+KINDS = (*HALF_SPACES_AND_LAYERS, *TRANSIENT, *INDENTERS, *MEMORIES, CREEPING)
 
 
 def steady_problem(kind: str, rng: Random, case: int) -> Problem:
@@ -118,9 +124,24 @@ def steady_problem(kind: str, rng: Random, case: int) -> Problem:
     return Problem(**STEADY[kind](rng), cavitation="none" if case % 3 == 2 else "reynolds")
 
 
-def squeezing(rng: Random, _: int) -> tuple[Motion, dict[str, Any]]:
+def squeezing(rng: Random, _: int) -> Motion:
     """A squeeze film under a constant load."""
-    return constant_load(_between(rng, 0.1, 1) * HERTZ_LOAD, rng.uniform(0.5, 2), _between(rng, 10, 300)), {}
+    return constant_load(_between(rng, 0.1, 1) * HERTZ_LOAD, rng.uniform(0.5, 2), _between(rng, 10, 300))
+
+
+def creeping(rng: Random, case: int) -> Motion:
+    """A squeeze film on a substrate that remembers, under a constant load; one in three is pressed to a depth and held."""
+    shares = _fading(rng)
+    times = tuple(_between(rng, 0.3, 3000) for _ in shares)
+    start, end = rng.uniform(0.5, 2), _between(rng, 10, 3000)
+    motion = constant_load(_between(rng, 0.1, 1) * HERTZ_LOAD, start, end)
+    if case % 3 == 2:
+        depth = rng.uniform(0.2, 1)
+        motion = history("height", [0, min(_between(rng, 3, 30), end / 2), end], [start, -depth, -depth])
+    return replace(motion, substrate=CreepingKernel(shares, times))
+
+
+SQUEEZED: dict[str, Callable[[Random, int], Motion]] = {"squeeze": squeezing, CREEPING: creeping}
 
 
 def starting(rng: Random, case: int) -> tuple[Motion, dict[str, Any]]:
@@ -134,9 +155,8 @@ def exact_values(kind: str, rng: Random, case: int) -> dict[str, Any]:
     """A case on fine grids: a pair (value, uncertainty) for each quantity, or histories and their times."""
     if kind in STEADY:
         return dict(reference(steady_problem(kind, rng, case)))
-    if kind == "squeeze":
-        motion, _ = squeezing(rng, case)
-        run = integrate(motion, rings=256, tolerance=1e-7)
+    if kind in SQUEEZED:
+        run = integrate(SQUEEZED[kind](rng, case), rings=256, tolerance=1e-7)
         return {"time": run.time.tolist()} | {name: each.tolist() for name, each in run.histories().items()}
     motion, sliding = starting(rng, case)
     run, histories = slid(motion, n_theta=39, tolerance=1e-4, **sliding)
@@ -159,9 +179,9 @@ def compared(kind: str, rng: Random, case: int, exact: dict[str, Any], accuracy:
                 target = bool(error <= solution.accuracy * factors.get(name, 1.0))
                 rows.append((name, error, mine.error / size, uncertainty / size, target))
         return rows
-    if kind == "squeeze":
-        motion, sliding = squeezing(rng, case)
-        film = follow(motion, **given)
+    sliding: dict[str, Any] = {}
+    if kind in SQUEEZED:
+        film = follow(SQUEEZED[kind](rng, case), **given)
     else:
         motion, sliding = starting(rng, case)
         film = follow_sliding(motion, **sliding, **given)

@@ -13,6 +13,7 @@ GRIDS = [
     PolarGrid(80, 12, edge_width=0.02, crest=0.9),
     PolarGrid(80, 12, crest=0.1, edge=1.7),
     PolarGrid(80, 12, edge_width=0.02, core=0.05, edge=0.7),
+    PolarGrid(80, 12, edge_width=0.02, band=0.4, band_share=9.0, edge=0.7),
 ]
 
 
@@ -72,6 +73,16 @@ def test_a_core_has_fine_cells_and_adds_none_far_outside():
     plain, fine = PolarGrid(90, 24), PolarGrid(90, 24, core=0.1)
     assert fine.dr_dxi(0.0) < 0.2 * plain.dr_dxi(0.0)
     assert fine.dr_dxi(15.0) == pytest.approx(plain.dr_dxi(15.0), rel=0.02)
+
+
+def test_a_band_has_even_cells_and_adds_none_elsewhere():
+    plain, banded = PolarGrid(400, 24, edge_width=0.1), PolarGrid(400, 24, edge_width=0.1, band=0.4, band_share=12.0)
+    r = np.linspace(0.5, 0.9, 9)
+    added = 1 / banded.dr_dxi(r) - 1 / plain.dr_dxi(r)
+    assert added == pytest.approx(12 / 0.6, rel=0.1)
+    for r in (0.0, 0.1, 3.0):
+        assert 1 / banded.dr_dxi(r) - 1 / plain.dr_dxi(r) == pytest.approx(0, abs=0.04 * 12 / 0.6)
+    assert float(banded.xi_of(20.0) - plain.xi_of(20.0)) == pytest.approx(12, rel=1e-2)
 
 
 def test_edge_has_the_finest_cells_and_scales():

@@ -114,7 +114,10 @@ class PolarGrid:
             fine = fine + np.arcsinh(rho / self.core) - np.arcsinh(rho / WIDE)
         if self.band < 1:
             smooth = BAND_ENDS * (1 - self.band)
-            inner, outer = (np.hypot(smooth, rho - place) - np.hypot(smooth, rho + place) for place in (self.band, 1.0))
+            # √(d² + (ρ − b)²) − √(d² + (ρ + b)²), without cancellation
+            inner, outer = (
+                -4 * place * rho / (np.hypot(smooth, rho - place) + np.hypot(smooth, rho + place)) for place in (self.band, 1.0)
+            )
             fine = fine + self.band_share / (2 * (1 - self.band)) * (inner - outer)
         return fine - self.thinning * np.arcsinh(rho / WIDE)
 

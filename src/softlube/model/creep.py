@@ -51,6 +51,10 @@ class Creep:
         return self.instantaneous + math.fsum(term.weight for term in self.terms)
 
 
+ELASTIC = Creep(1.0, ())
+"""Creep of an elastic solid over its own compliance."""
+
+
 def creep_of(relaxed: float, terms: Iterable[tuple[float, float]]) -> Creep:
     """The creep compliance of a relaxation modulus E(t) = relaxed + Σ Eᵢ e^(−t/τᵢ), exactly.
 

@@ -15,12 +15,12 @@ from softlube.discretization.grid import PolarGrid
 from softlube.errors import InputError, NotConvergedError
 from softlube.model import indenters, substrates
 from softlube.model import liquids as liquids
-from softlube.model.creep import Creep
 from softlube.model.dry import PARABOLOID, DryContact, dry_contact_at
 from softlube.model.indenters import Shape
 from softlube.model.liquids import Liquid, NewtonianLaw
 from softlube.model.substrates import HalfSpaceKernel, Substrate
 from softlube.transient import drives
+from softlube.transient.creep import relaxed_loads, taken_up
 from softlube.transient.squeeze.rings import Control, SqueezeFilm, radial_moment
 
 Array = NDArray[np.floating]
@@ -36,16 +36,16 @@ computed films."""
 THIN = 5.0
 """How many e-folds a rigid sphere has sunk, by Taylor's law, when the film is called thin."""
 RINGS_FOR_GROWTH = 16.0
-"""Rings for the part of the contact's radius by which it grows by creep: a neck of a film of 5·10⁻⁴ is good to 10⁻³ on 181 rings
-while the radius doubles, where without them it is off by 6 %."""
+"""How much the grid's coordinate grows by a band of even cells where the contact grows by creep, over that part of the radius.
+
+While a contact doubles its radius and the film at its edge thins to 3·10⁻⁴, 181 rings give that film to 10⁻³; without a band
+they gave it to 6 %."""
 DAMPING, LARGEST_ITERATIONS = 0.4, 200
 """Damping factor, and most steps, of the fixed-point iteration for the pressure at the start."""
 LEAST_FLUIDITY = 1e-12
 """Fluidity η₀/η below which a liquid is taken to thicken without bound at the start."""
 SAMPLES = 2001
 """Number of times at which a history is evaluated to find its extremes."""
-LOGARITHMIC_STEP = 0.1
-"""Step in the logarithm of the time by which the past before the start is summed up: the sum is good to round-off."""
 
 
 @dataclass(frozen=True)
@@ -156,35 +156,24 @@ class Motion:
         if self.control == "height":
             lowest = float(samples.min())
             return dry_contact_at(self.substrate, indentation=-lowest, indenter=self.indenter) if lowest < 0 else None
-        largest = float(self._creeping_loads.max())
+        largest = float(self._relaxed_loads.max())
         dry = dry_contact_at(self.substrate, load=largest, indenter=self.indenter) if largest > 0 else None
         return dry if dry is not None and self._rigid_height <= dry.indentation else None
 
     @cached_property
-    def _creeping_loads(self) -> Array:
-        """Load that presses the relaxed substrate as far as the given one has by creep, at the times of `samples`.
-
-        It is ∫J(t − s) dN(s), as for a dry contact that grows (Lee & Radok 1960).
-        """
-        shares, times = (np.array([getattr(term, name) for term in self.creep.terms]) for name in ("weight", "time"))
-        if not shares.size:
-            return self.samples
-        kept = np.exp(-self.duration / (SAMPLES - 1) / times)
-        remembered = self.samples[0] * self.past(np.zeros(1))[:, 0]
-        loads = [float(shares @ remembered)]
-        for load in (self.samples[:-1] + self.samples[1:]) / 2:
-            remembered = kept * remembered + (1 - kept) * load
-            loads.append(float(shares @ remembered))
-        return self.creep.instantaneous * self.samples + np.array(loads)
+    def _relaxed_loads(self) -> Array:
+        """`softlube.transient.creep.relaxed_loads` of the `samples`: those that press the relaxed substrate as far."""
+        first = self.taken_up(np.zeros(1))[:, 0]
+        return relaxed_loads(self.substrate.creep, first, self.samples, self.duration / (SAMPLES - 1))
 
     @property
     def _radius_when_thin(self) -> float:
-        """Radius of the dry contact once the film is thin, from where it grows by creep; infinite where none does."""
-        fallen = 2 / np.pi * np.cumsum(np.maximum(self.samples, 0.0)) * self.duration / SAMPLES
-        thin = int(np.searchsorted(fallen, THIN))
-        if not self.creep.terms or self.control == "height" or thin == SAMPLES or self._creeping_loads[thin] <= 0:
+        """Radius of the dry contact once the film is thin, from where it grows by creep; infinite where it does not grow so."""
+        if self.control == "height" or not self.substrate.creep.terms:
             return np.inf
-        return dry_contact_at(self.substrate, load=float(self._creeping_loads[thin]), indenter=self.indenter).radius
+        sunk = 2 / np.pi * self.duration / SAMPLES * np.cumsum(np.maximum(self.samples, 0.0))
+        load = float(np.max(self._relaxed_loads[: 1 + int(np.searchsorted(sunk, THIN))]))
+        return dry_contact_at(self.substrate, load=load, indenter=self.indenter).radius
 
     @property
     def _rigid_height(self) -> float:
@@ -199,40 +188,15 @@ class Motion:
             return float(self.samples.min())
         return self._rigid_height if self.deepest is None else -self.deepest.indentation
 
-    @property
-    def creep(self) -> Creep:
-        """How the substrate yields in time; nothing but the instantaneous compliance 1 if it is elastic."""
-        return self.substrate.creep or Creep(1.0, ())
-
-    def past(self, shape: Array) -> Array:
-        """Share of the first pressure that each term of the creep has taken up, shape (m, N).
-
-        A sphere that comes down from afar has done so with the speed, or the load, of the start; the pressure has grown as under
-        a rigid sphere, like h₀ under a load and V/4 else, over the square of the film.  A term of time τ has of it
-
-            ∫₀^∞ e^(−s) p(−τs)/p(0) ds.
-
-        Parameters
-        ----------
-        shape : ndarray, shape (N,)
-            Height of the indenter's surface over its lowest point.
-        """
-        by_load = self.control == "load"
-        shares = np.zeros((len(self.creep.terms), shape.size))
-        if self._first_speed <= 0:
-            return shares
-        for term, share in zip(self.creep.terms, shares, strict=True):
-            fallen = term.time * self._first_speed / self.initial_height
-            logarithm = np.arange(-37 - np.log(max(fallen, 1.0)), 4, LOGARITHMIC_STEP)
-            s = np.exp(logarithm)[:, None]
-            height = self.initial_height * (np.exp(np.minimum(fallen * s, 300.0)) if by_load else 1 + fallen * s)
-            grown = (height if by_load else self.initial_height) * ((self.initial_height + shape) / (height + shape)) ** 2
-            share[:] = LOGARITHMIC_STEP * np.sum(s * np.exp(-s) * grown, axis=0) / self.initial_height
-        return shares
+    def taken_up(self, shape: Array) -> Array:
+        """Share of the first pressure that each term of the creep has taken up, see `softlube.transient.creep.taken_up`."""
+        return taken_up(self.substrate.creep, self.control, self._first_speed, self.initial_height, shape)
 
     def yielded(self, shape: Array) -> Array:
-        """Part of its compliance by which the substrate has yielded to the first pressure: J₀ + ΣJᵢ times `past`, shape (N,)."""
-        return self.creep.instantaneous + np.array([term.weight for term in self.creep.terms]) @ self.past(shape)
+        """Part of its compliance by which the substrate has yielded to the first pressure, J₀ + ΣJᵢ times `taken_up`."""
+        return self.substrate.creep.instantaneous + np.array(
+            [term.weight for term in self.substrate.creep.terms]
+        ) @ self.taken_up(shape)
 
     @cached_property
     def _first_speed(self) -> float:
@@ -283,6 +247,7 @@ class Motion:
     def yielding(self) -> float:
         """Estimate of the substrate's largest deflection over the film, from Taylor's pressure at the first and lowest height.
 
+        Of a substrate that creeps it is the deflection at once, by which the film tells the pressure.
         Infinite where the sphere comes down to the undeformed surface.
         """
         lowest = self.lowest_height
@@ -294,7 +259,7 @@ class Motion:
         for height in (self.initial_height, lowest):
             taylor = (height + film.shape) ** -2.0
             strength = np.max(np.abs(self.samples)) / film.load(taylor) if self.control == "load" else np.max(np.abs(steps)) / 4
-            shares.append(strength * float((film.compliance @ taylor)[0]) / height)
+            shares.append(strength * self.substrate.creep.instantaneous * float((film.compliance @ taylor)[0]) / height)
         return max(shares)
 
     def grid(self, n_r: int) -> PolarGrid:

@@ -1,4 +1,4 @@
-"""Prony series: creep from relaxation, what is read and kept, and the lengths that a surface remembers over."""
+"""Prony series: what is read and kept, and the lengths or times that a surface remembers over."""
 
 import json
 
@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from softlube.errors import InputError
+from softlube.model.creep import ELASTIC, Creep
 from softlube.model.inputs import declared
 from softlube.model.parts import resolve
 from softlube.model.problem import Problem
 from softlube.model.substrates import (
+    CreepingKernel,
     HalfSpace,
     HalfSpaceKernel,
     LayerKernel,
@@ -19,57 +21,6 @@ from softlube.model.substrates import (
     from_plain,
     to_plain,
 )
-from softlube.model.substrates.viscoelastic import Creep, Term, creep_of, relaxation_of
-
-
-@pytest.mark.parametrize("n", [1, 2, 7, 30])
-def test_creep_is_the_inverse_of_relaxation(n):
-    """At every frequency the complex modulus times the complex compliance is 1, over ten decades of times."""
-    random = np.random.default_rng(n)
-    times, moduli = np.sort(10 ** random.uniform(-5, 5, n)), 10 ** random.uniform(-3, 3, n)
-    creep = creep_of(0.5, zip(moduli, times, strict=True))
-    retarded, weights = (np.array([getattr(term, name) for term in creep.terms]) for name in ("time", "weight"))
-    assert np.all(weights > 0)
-    assert np.all(retarded > times)
-    assert np.all(retarded[:-1] < times[1:])
-    frequency = 1j * np.logspace(-8, 8, 33)[:, None]
-    modulus = 0.5 + np.sum(moduli * frequency * times / (1 + frequency * times), axis=1)
-    compliance = creep.instantaneous + np.sum(weights / (1 + frequency * retarded), axis=1)
-    assert modulus * compliance == pytest.approx(1, abs=1e-13)
-    assert creep.relaxed == pytest.approx(2, rel=1e-14)
-
-
-def test_one_time():
-    """E = E_r + E₁ e^(−t/τ): J₁ = E₁/(E_r (E_r + E₁)), and creep is slower than relaxation by (E_r + E₁)/E_r."""
-    creep = creep_of(2.0, [(6.0, 3.0)])
-    assert creep.instantaneous == pytest.approx(1 / 8)
-    assert creep.terms[0] == pytest.approx((6 / 16, 12.0))
-
-
-@pytest.mark.parametrize("n", [1, 2, 7, 30])
-def test_relaxation_is_the_inverse_of_creep(n):
-    random = np.random.default_rng(n)
-    times, moduli = np.sort(10 ** random.uniform(-5, 5, n)), 10 ** random.uniform(-3, 3, n)
-    relaxed, terms = relaxation_of(creep_of(0.5, zip(moduli, times, strict=True)))
-    assert relaxed == pytest.approx(0.5, rel=1e-12)
-    assert [term.time for term in terms] == pytest.approx(times, rel=1e-9)
-    assert [term.weight for term in terms] == pytest.approx(moduli, rel=1e-6)
-    assert relaxation_of(Creep(0.25, ())) == (4.0, ())
-    assert relaxation_of(Creep(1 / 8, (Term(6 / 16, 12.0),))) == (2.0, (pytest.approx((6.0, 3.0)),))  # as in `test_one_time`
-
-
-def test_equal_times_are_one():
-    split, whole = (creep_of(1.0, terms) for terms in ([(1.0, 2.0), (2.0, 2.0), (1.0, 5.0)], [(1.0, 5.0), (3.0, 2.0)]))
-    assert split == whole
-    nearly = creep_of(1.0, [(1.0, 2.0), (2.0, 2.0 * (1 + 1e-14)), (1.0, 5.0)])
-    assert nearly.terms[0].weight < 1e-13  # between the two poles
-    for one, other in zip(nearly.terms[1:], whole.terms, strict=True):
-        assert one == pytest.approx(other, rel=1e-12)
-
-
-def test_a_vanishing_term_changes_nothing():
-    creep = creep_of(1.0, [(9.0, 1.0), (1e-40, 2.0)])
-    assert [term.weight for term in creep.terms] == pytest.approx([0.0, 0.9], abs=1e-14)
 
 
 def test_what_is_given_and_kept():
@@ -136,13 +87,39 @@ def test_the_kernel_remembers_over_speed_times_time():
     assert Problem.from_plain(json.loads(json.dumps(problem.to_plain()))) == problem
 
 
+def test_under_a_film_that_changes_with_time_the_kernel_remembers_over_times():
+    part = StandardLinearSolid("3 MPa", stiffening=10, relaxation_time="1 ms")
+    kernel = part.kernel(1e-3, 0.5, time_unit=0.1)
+    assert isinstance(kernel, CreepingKernel)
+    assert kernel.shares == pytest.approx((0.45,))  # half of the compliance is an elastic ball's
+    assert kernel.times == pytest.approx((0.1,))
+    assert kernel.elastic == HalfSpaceKernel()
+    assert kernel.creep == Creep(kernel.instantaneous, ((kernel.shares[0], kernel.times[0]),))
+    assert kernel.in_units(4.0).times == pytest.approx((0.8,))  # the time of a film goes like the height to 3/2
+    layer = Viscoelastic("3 MPa", prony="6 MPa @ 0.2 s", thickness="1 mm").kernel(1e-3)
+    assert layer.elastic == LayerKernel(1.0)
+    assert from_plain(json.loads(json.dumps(to_plain(layer)))) == layer
+
+
+def test_equal_times_are_one_and_none_is_none():
+    creep = CreepingKernel((0.1, 0.2, 0.3, 0.25), (3.0, 1.0, 3.0, 0.0)).creep
+    assert creep.instantaneous == pytest.approx(0.4)
+    assert [tuple(term) for term in creep.terms] == [(0.2, 1.0), (pytest.approx(0.4), 3.0)]
+    assert LayerKernel(1.0).creep == ELASTIC
+
+
+def test_lengths_are_no_times():
+    with pytest.raises(InputError, match=r"substrate: under a film that changes with time .* over times, a CreepingKernel"):
+        _ = ViscoelasticKernel((0.5,), (1.0,)).creep
+    with pytest.raises(InputError, match=r"substrate: under steady sliding .* over lengths, a ViscoelasticKernel"):
+        _ = CreepingKernel((0.5,), (1.0,)).memory
+
+
 def test_a_substrate_at_rest_under_the_contact_is_relaxed():
     part = StandardLinearSolid("3 MPa", stiffening=10, relaxation_time="1 ms")
     assert part.kernel(1e-3, 1.0, 0.0).memory is None
     assert HalfSpace("3 MPa").kernel(1e-3, 1.0, 1.0).memory is None
     assert HalfSpaceKernel().compliance(1.0) == 1
-    with pytest.raises(InputError, match="substrate: one that remembers is solved in steady sliding only"):
-        part.kernel(1e-3)
     with pytest.raises(InputError, match="slide_to_roll: below -2"):
         part.kernel(1e-3, 1.0, -1.0)
 
@@ -159,6 +136,8 @@ def test_a_substrate_at_rest_under_the_contact_is_relaxed():
 def test_kernels_that_cannot_be(shares, lengths, message):
     with pytest.raises(InputError, match=message):
         ViscoelasticKernel(shares, lengths)
+    with pytest.raises(InputError, match=message.replace("lengths", "times")):
+        CreepingKernel(shares, lengths)
 
 
 def test_a_layer_remembers_like_a_half_space():

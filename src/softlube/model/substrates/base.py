@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeAlias
 
 from softlube.errors import InputError
+from softlube.model.creep import ELASTIC, Creep
 from softlube.model.inputs import LENGTH, NUMBER, PRESSURE, exactly_one, given
 from softlube.model.named import Named
 from softlube.model.parts import Part
@@ -12,8 +13,6 @@ from softlube.model.parts import Part
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-    from softlube.model.creep import Creep
 
 Array: TypeAlias = "NDArray[np.floating]"
 Orders: TypeAlias = "NDArray[np.intp]"
@@ -81,8 +80,8 @@ class Substrate(Protocol):
         ...
 
     @property
-    def creep(self) -> Creep | None:
-        """How it yields in time under a film that changes with time, if not at once."""
+    def creep(self) -> Creep:
+        """How it yields in time under a film that changes with time, over its relaxed compliance."""
         ...
 
     def hastened(self, factor: float) -> Substrate:
@@ -113,9 +112,9 @@ class Kernel(Named):
         return None
 
     @property
-    def creep(self) -> Creep | None:
-        """None."""
-        return None
+    def creep(self) -> Creep:
+        """It yields at once."""
+        return ELASTIC
 
     def hastened(self, factor: float) -> Any:
         """Itself, however fast it passes."""

@@ -178,8 +178,8 @@ class CreepingKernel(RememberingKernel):
             Always.
         """
         raise InputError(
-            "substrate: under steady sliding a substrate remembers over lengths, a ViscoelasticKernel; got times of a film that "
-            "changes with time, a CreepingKernel"
+            "substrate: under steady sliding a substrate remembers over lengths, a ViscoelasticKernel; got times of a film "
+            "that changes with time, a CreepingKernel"
         )
 
     @property

@@ -175,18 +175,18 @@ def _difference(times: list[float], films: list[Array], time: float) -> tuple[fl
 
 
 def check_substrate(substrate: Substrate) -> None:
-    """Refuse a substrate that remembers: what it remembers moves with its surface, and each time step would need a matrix of it.
+    """Refuse a substrate that remembers: its memory moves with the surface, and would be another matrix for every time step.
 
     Raises
     ------
     InputError
         If it does.
     """
-    if substrate.creep is not None:
+    if substrate.creep.terms:
         raise InputError(
-            "substrate: a start of sliding on one that remembers is not solved, as what it remembers moves with its surface. Give "
-            "the relaxed modulus alone if the film is slow beside every time, the instantaneous one if it is fast; without a "
-            "speed, a squeeze film remembers"
+            "substrate: a start of sliding on one that remembers is not solved, as what it remembers moves with its surface. "
+            "Give the relaxed modulus alone if the film is slow beside every time, the instantaneous one if it is fast; or "
+            "leave the sliding out, as a squeeze film is solved"
         )
 
 

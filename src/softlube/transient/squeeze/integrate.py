@@ -216,7 +216,7 @@ def integrate(
         return least_on_nodes(z[:n] - added + shape) - film_limit
 
     above_limit.terminal = True  # type: ignore[attr-defined]
-    remembered = memory.at_first(motion.past(film.shape) * pressure)
+    remembered = memory.at_first(motion.taken_up(film.shape) * pressure)
     least = np.full(n + 1 + remembered.size, 1e-5 * tolerance * grid.edge**2)
     least[n + 1 :] = REMEMBERED * tolerance * grid.edge
     least[n] = 0.1 * tolerance * float(to_volume @ (first + shape))

@@ -1,7 +1,8 @@
-"""What a viscoelastic substrate remembers of a squeeze film's pressure: internal variables in time, one set for each term.
+"""What a viscoelastic substrate remembers of the pressure of a squeeze film: internal variables in time, a set for each term.
 
 Of the creep compliance J₀ + ΣJᵢ (1 − e^(−t/τᵢ)) each term remembers pᵢ with τᵢ dpᵢ/dt = p − pᵢ, and the displacement is that of
-the pressure J₀ p + ΣJᵢ pᵢ.  Under a load N each remembers ∫pᵢ dA, too, of which the height is known without a sum over all rings.
+the pressure J₀ p + ΣJᵢ pᵢ.  Under a load each remembers that, too: so the height is known without a sum over all rings, and
+what one ring remembers changes its neighbours' films only, which keeps the Jacobian sparse.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import block_array, csc_array, diags_array, kron
+from scipy.sparse import block_array, csc_array, eye_array, kron
 
 from softlube.transient.squeeze.rings import SqueezeFilm
 
@@ -20,12 +21,14 @@ Array = NDArray[np.floating]
 
 @dataclass(frozen=True)
 class Memory:
-    """The internal variables of a squeeze film: m terms of w numbers each, none on an elastic substrate.
+    """The internal variables of a squeeze film: w numbers for each of m terms, none on an elastic substrate.
+
+    The w numbers are the pressure on the n rings and, under a load, the load.
 
     Attributes
     ----------
     film : SqueezeFilm
-        The discrete equations: its state is the lift and ΣJᵢ times what each term remembers.
+        The discrete equations.  Their state is the lift on n rings, and then ΣJᵢ times what each term remembers.
     """
 
     film: SqueezeFilm
@@ -36,48 +39,46 @@ class Memory:
         return np.array([term.weight for term in self.film.creep.terms])
 
     @cached_property
-    def times(self) -> Array:
-        """Times τᵢ in which they build up, shape (m, 1)."""
-        return np.array([[term.time] for term in self.film.creep.terms]).reshape(-1, 1)
+    def rates(self) -> Array:
+        """Inverse times 1/τᵢ, shape (m, 1)."""
+        return np.array([1 / term.time for term in self.film.creep.terms])[:, None]
 
     @property
     def shape(self) -> tuple[int, int]:
-        """m and w: the pressure on n rings, and under a load the load."""
+        """Numbers m and w."""
         return self.shares.size, self.film.pressure_by_state.shape[1] - self.film.n
 
     @cached_property
     def _acting(self) -> tuple[Array, Array]:
-        """Pressure and load that act, by the state, (w, k), and by the drive, (w,)."""
+        """Pressure and load that act now, by the state, (w, k), and by the drive, (w,)."""
         n, (_, width) = self.film.n, self.shape
-        by_load = width - n if width else 0
-        by_state, by_drive = self.film.pressure_by_state[: min(n, width)], self.film.pressure_by_drive[: min(n, width)]
-        return np.vstack([by_state, np.zeros((by_load, by_state.shape[1]))]), np.append(by_drive, np.ones(by_load))
+        by_state, by_drive = np.zeros((width, n + width)), np.ones(width)
+        by_state[:n], by_drive[:n] = self.film.pressure_by_state[: min(n, width)], self.film.pressure_by_drive[: min(n, width)]
+        return by_state, by_drive
 
     def at_first(self, pressures: Array) -> Array:
-        """What is remembered where each term has a pressure of its own on all N rings, shape (m, N); shape (m, w)."""
+        """Internal variables, (m w,), of terms that remember the pressures of the shape (m, N) on all rings."""
         own = pressures[:, : self.film.n]
-        return np.column_stack([own, own @ self.film.ring_weights])[:, : self.shape[1]]
+        return np.column_stack([own, own @ self.film.ring_weights])[:, : self.shape[1]].ravel()
 
     def state(self, lift: Array, remembered: Array) -> Array:
-        """State of the film, (..., k), of lifts on n rings, (..., n), and of what is remembered, (..., m w)."""
+        """State of the film, (..., k), from lifts on n rings, (..., n), and internal variables, (..., m w)."""
         return np.concatenate([lift, self.shares @ remembered.reshape(*lift.shape[:-1], *self.shape)], axis=-1)
 
     def rate(self, remembered: Array, state: Array, drive: float) -> Array:
-        """Its change in time, shape (m w,)."""
+        """Change of the internal variables in time, shape (m w,)."""
         by_state, by_drive = self._acting
-        return ((by_state @ state + drive * by_drive - remembered.reshape(self.shape)) / self.times).ravel()
+        return (self.rates * (by_state @ state + drive * by_drive - remembered.reshape(self.shape))).ravel()
 
     @cached_property
     def _rate_by_unknowns(self) -> tuple[csc_array, csc_array]:
-        """∂rate by the lift, (m w, n), and by what is remembered, (m w, m w)."""
-        by_state, _ = self._acting
-        n, (terms, width) = self.film.n, self.shape
-        own = -kron(diags_array(1 / self.times[:, 0]), diags_array(np.ones(width)))
-        others = kron(csc_array(self.shares / self.times), csc_array(by_state[:, n:]))
-        return csc_array(kron(csc_array(1 / self.times), csc_array(by_state[:, :n]))), csc_array(own + others)
+        """Derivatives of `rate` by the lift, (m w, n), and by the internal variables, (m w, m w)."""
+        n, by_state = self.film.n, self._acting[0]
+        own = kron(csc_array(np.diag(self.rates[:, 0])), eye_array(self.shape[1]))
+        return kron(self.rates, by_state[:, :n], "csc"), kron(self.rates * self.shares, by_state[:, n:], "csc") - own
 
     def jacobian(self, flow_by_state: Array) -> Array | csc_array:
-        """Jacobian of all unknowns: film and inflow, then what is remembered.
+        """Derivative of all rates by all unknowns: lift, inflow, internal variables.
 
         Parameters
         ----------
@@ -87,19 +88,14 @@ class Memory:
         Returns
         -------
         ndarray or sparse array, shape (n + 1 + m w, n + 1 + m w)
-            Dense on an elastic substrate.
+            An ndarray on an elastic substrate.
         """
-        n, (terms, _) = self.film.n, self.shape
-        by_film = np.column_stack([flow_by_state[:, :n], np.zeros(n + 1)])  # the inflow moves nothing
+        n, (terms, width) = self.film.n, self.shape
+        by_film = np.zeros((n + 1, n + 1))
+        by_film[:, :n] = flow_by_state[:, :n]
         if not terms:
             return by_film
         by_lift, by_remembered = self._rate_by_unknowns
-        inflow = csc_array((by_lift.shape[0], 1))
-        return csc_array(
-            block_array(
-                [
-                    [csc_array(by_film), kron(csc_array(self.shares[None, :]), csc_array(flow_by_state[:, n:]))],
-                    [block_array([[by_lift, inflow]]), by_remembered],
-                ]
-            )
-        )
+        film = [csc_array(by_film), kron(self.shares[None, :], flow_by_state[:, n:], "csc")]
+        memory = [block_array([[by_lift, csc_array((terms * width, 1))]]), by_remembered]
+        return block_array([film, memory], format="csc")

@@ -67,7 +67,7 @@ class SqueezeFilm:
     shape : ndarray, shape (N,)
         Height f of the indenter's surface over its lowest point, r²/2 for the paraboloid.
     creep : Creep
-        Of the substrate; nothing but the instantaneous compliance 1 if it is elastic.
+        Of the substrate.
     pressure_by_state, pressure_by_drive : ndarray, shape (N, k) and (N,)
         p = pressure_by_state z + pressure_by_drive q.  The state z is the lift on n rings; if the substrate creeps, the
         remembered pressure s on them and, under a load, ∫s dA come after it.
@@ -144,7 +144,7 @@ class SqueezeFilm:
         rim_by_lift, rim_by_drive = compliance[n:] @ by_film + height_by_lift, compliance[n:] @ by_drive + height_by_drive
 
         # All that is true of J₀ p + s, which carries J₀ times the load and ∫s dA.
-        creep = substrate.creep or Creep(1.0, ())
+        creep = substrate.creep
         states = 2 * n + (control == "load") if creep.terms else n
         lifts, remembered, more_load = np.eye(n, states), np.eye(n, states, n), np.zeros(states)
         more_load[2 * n :] = 1
