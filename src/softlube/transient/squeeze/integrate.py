@@ -27,6 +27,8 @@ FAR_ABOVE = 4.0
 """Height of the indenter's surface over that at the grid's edge beyond which the film's own size says nothing."""
 REMEMBERED = 1e-4
 """Pressure below which what is remembered needs no relative accuracy, over the radius of the grid's edge."""
+ROUND_OFF = 1e4
+"""Round-off of the pressure times this is the least tolerance on what is remembered: Newton's method asks for 10⁻³ of that."""
 HISTORIES = ("film_center", "film_min", "film_min_radius", "pressure_center", "pressure_max", "pressure_min", "height", "load")
 """Quantities of a squeeze film that are functions of the time; see `softlube.model.quantities`."""
 
@@ -200,11 +202,11 @@ def integrate(
     def rate(t: float, z: Array) -> Array:
         now, drive = state(z), float(motion.drive(t))
         flux = film.flux(now, drive)
-        return np.concatenate([film.rate(flux), [to_inflow @ flux], memory.rate(z[n + 1 :], now, drive)])
+        return memory.rate(np.append(film.rate(flux), to_inflow @ flux), z[n + 1 :], now, drive)
 
     def jacobian(t: float, z: Array) -> Array | csc_array:
         by_state = film.flux_derivative(state(z), float(motion.drive(t)))
-        return memory.jacobian(np.vstack([film.rate(by_state), to_inflow @ by_state]))
+        return memory.jacobian(film.rate(by_state), to_inflow @ by_state)
 
     steps = 0
 
@@ -218,7 +220,7 @@ def integrate(
     above_limit.terminal = True  # type: ignore[attr-defined]
     remembered = memory.at_first(motion.taken_up(film.shape) * pressure)
     least = np.full(n + 1 + remembered.size, 1e-5 * tolerance * grid.edge**2)
-    least[n + 1 :] = REMEMBERED * tolerance * grid.edge
+    least[n + 1 :] = np.maximum(REMEMBERED * tolerance * grid.edge, ROUND_OFF * memory.round_off(first + added))
     least[n] = 0.1 * tolerance * float(to_volume @ (first + shape))
     with np.errstate(over="ignore", invalid="ignore"):  # BDF computes with rows that it has not filled yet
         result = solve_ivp(

@@ -61,29 +61,45 @@ class Memory:
         own = pressures[:, : self.film.n]
         return np.column_stack([own, own @ self.film.ring_weights])[:, : self.shape[1]].ravel()
 
+    def round_off(self, lift: Array) -> Array:
+        """Round-off of the pressure and load that act now, where the lift is kept as large as given, shape (m w,)."""
+        by_state, _ = self._acting
+        own = np.finfo(float).eps * np.abs(by_state[:, : self.film.n]) @ np.abs(lift)
+        return np.tile(own, self.shape[0])
+
+    @cached_property
+    def elastic(self) -> bool:
+        """Whether there are none."""
+        return not self.film.creep.terms
+
     def state(self, lift: Array, remembered: Array) -> Array:
         """State of the film, (..., k), from lifts on n rings, (..., n), and internal variables, (..., m w)."""
+        if self.elastic:
+            return lift
         return np.concatenate([lift, self.shares @ remembered.reshape(*lift.shape[:-1], *self.shape)], axis=-1)
 
-    def rate(self, remembered: Array, state: Array, drive: float) -> Array:
-        """Change of the internal variables in time, shape (m w,)."""
+    def rate(self, flow: Array, remembered: Array, state: Array, drive: float) -> Array:
+        """Change of all unknowns in time: that of film and inflow, shape (n + 1,), and that of the internal variables."""
+        if self.elastic:
+            return flow
         by_state, by_drive = self._acting
-        return (self.rates * (by_state @ state + drive * by_drive - remembered.reshape(self.shape))).ravel()
+        change = self.rates * (by_state @ state + drive * by_drive - remembered.reshape(self.shape))
+        return np.concatenate([flow, change.ravel()])
 
     @cached_property
     def _rate_by_unknowns(self) -> tuple[csc_array, csc_array]:
-        """Derivatives of `rate` by the lift, (m w, n), and by the internal variables, (m w, m w)."""
+        """Derivatives of the internal variables' change by the lift, (m w, n), and by the internal variables, (m w, m w)."""
         n, by_state = self.film.n, self._acting[0]
         own = kron(csc_array(np.diag(self.rates[:, 0])), eye_array(self.shape[1]))
         return kron(self.rates, by_state[:, :n], "csc"), kron(self.rates * self.shares, by_state[:, n:], "csc") - own
 
-    def jacobian(self, flow_by_state: Array) -> Array | csc_array:
-        """Derivative of all rates by all unknowns: lift, inflow, internal variables.
+    def jacobian(self, film: Array, inflow: Array) -> Array | csc_array:
+        """Derivative of `rate` by all unknowns: lift, inflow, internal variables.
 
         Parameters
         ----------
-        flow_by_state : ndarray, shape (n + 1, k)
-            Derivative of the film's change and of the inflow by the state.
+        film, inflow : ndarray, shape (n, k) and (k,)
+            Derivatives of the film's change and of the inflow by the state.
 
         Returns
         -------
@@ -92,10 +108,10 @@ class Memory:
         """
         n, (terms, width) = self.film.n, self.shape
         by_film = np.zeros((n + 1, n + 1))
-        by_film[:, :n] = flow_by_state[:, :n]
-        if not terms:
+        by_film[:n, :n], by_film[n, :n] = film[:, :n], inflow[:n]
+        if self.elastic:
             return by_film
         by_lift, by_remembered = self._rate_by_unknowns
-        film = [csc_array(by_film), kron(self.shares[None, :], flow_by_state[:, n:], "csc")]
-        memory = [block_array([[by_lift, csc_array((terms * width, 1))]]), by_remembered]
-        return block_array([film, memory], format="csc")
+        flow = kron(self.shares[None, :], np.vstack([film[:, n:], inflow[n:]]), "csc")
+        by_lift = block_array([[by_lift, csc_array((terms * width, 1))]])  # the inflow moves nothing
+        return block_array([[csc_array(by_film), flow], [by_lift, by_remembered]], format="csc")
