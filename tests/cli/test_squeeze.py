@@ -46,12 +46,24 @@ def test_json_and_film_limit(capsys):
         ([*FALL, "--base", "frictionless"], "--base, --thickness"),
         ([*FALL, "--poisson-ratio", "0.6"], "--poisson-ratio"),
         ([*FALL, "--thickness", "1 mm", "--base", "glued"], "--base"),
+        ([*FALL, "--speed", "1 mm/s", "--prony", "6 MPa @ 1 ms"], "a start of sliding on one that remembers is not solved"),
+        ([*FALL, "--prony", "6 MPa"], "--prony: expected pairs of a modulus and a time"),
         ([*FALL, "--viscosity-law", "roelands"], "--viscosity-law, --pressure-viscosity"),
     ],
 )
 def test_refused_with_a_reason(capsys, arguments, text):
     assert main(arguments) == 2
     assert text in capsys.readouterr().err
+
+
+def test_a_substrate_that_remembers(capsys):
+    """The softer it becomes, the deeper the ball lies: between the instantaneous and the relaxed contact."""
+    heights = []
+    for series in (["--young-modulus", "9 MPa"], ["--young-modulus", "3 MPa", "--prony", "6 MPa @ 20 ms"], BALL[3:5]):
+        arguments = ["squeeze", *BALL[1:3], *BALL[5:], *FALL[7:], *series]
+        assert main([*arguments, "--accuracy", "0.01", "--json"]) == 0
+        heights.append(json.loads(capsys.readouterr().out)["final"]["height"]["value"])
+    assert heights[0] > heights[1] > heights[2]
 
 
 def test_separation_is_reported(capsys):

@@ -9,7 +9,7 @@ import xarray as xr
 
 import softlube
 from softlube import substrates
-from softlube.files.transient import in_units, save, to_dataset
+from softlube.files.transient import in_units, load, save, to_dataset
 from softlube.model import liquids as liquids
 from softlube.transient.sliding.result import HISTORIES as COURSES
 from softlube.transient.squeeze.integrate import HISTORIES
@@ -57,6 +57,16 @@ def test_a_normalised_file_becomes_the_one_in_si(fall):
     normalised = to_dataset(replace(fall, setup=None))
     assert normalised.film.attrs["units"] == "1"
     xr.testing.assert_identical(in_units(normalised, fall.setup, {}), fall.dataset)
+
+
+def test_a_substrate_that_remembers_comes_back(tmp_path):
+    ball = {"radius": "2 mm", "young_modulus": "3 MPa", "viscosity": "2 Pa s", "prony": "6 MPa @ 1 ms; 1 MPa @ 1 s"}
+    press = softlube.squeeze(**ball, load="100 mN", initial_height="100 um", duration="1 ms", accuracy=0.01)
+    press.save(tmp_path / "a.nc")
+    data = load(tmp_path / "a.nc")
+    assert substrates.from_plain(json.loads(data.attrs["substrate"])) == press.motion.substrate
+    assert json.loads(data.attrs["inputs_SI"])["prony"] == press.setup.prony
+    xr.testing.assert_equal(data, press.dataset)
 
 
 def test_the_file_records_substrate_and_liquid(tmp_path):

@@ -31,3 +31,6 @@ def test_refused():
     ):
         with pytest.raises(InputError, match=message):
             read_sliding(setup, FALL | change)
+    remembering = FALL | {"prony": "6 MPa @ 20 ms"}
+    with pytest.raises(InputError, match="substrate: a start of sliding on one that remembers is not solved, as what"):
+        read_sliding(read_motion(remembering)[0], remembering | {"speed": "1 mm/s"})

@@ -44,6 +44,28 @@ def test_a_history_is_the_motion_at_its_points(control):
     assert setup.initial_height == pytest.approx(100e-6 if control == "load" else 2e-5, rel=1e-14)
 
 
+def test_a_substrate_creeps_in_the_time_of_the_film():
+    """Its creep times, 9/3 of the relaxation time, over 16ηR²/(πN); an elastic ball yields at once."""
+    given = FALL | {"prony": "6 MPa @ 20 ms"}
+    setup, motion = read_motion(given)
+    assert motion.substrate.shares == pytest.approx((2 / 3,))
+    assert motion.substrate.times == pytest.approx((0.06 / (16 * 2 * 2e-3**2 / (math.pi * 0.1)),))
+    assert setup.unit_height == read_motion(FALL)[0].unit_height  # of the relaxed substrate
+    _, soft = read_motion(given | {"ball_young_modulus": "3 MPa", "ball_poisson_ratio": 0.5})
+    assert soft.substrate.shares == pytest.approx((1 / 3,))
+    _, layer = read_motion(given | {"thickness": "0.5 mm"})
+    assert layer.substrate.elastic == read_motion(FALL | {"thickness": "0.5 mm"})[1].substrate
+
+
+def test_on_a_layer_that_remembers_the_doubt_is_that_of_the_relaxed_one(fall):
+    deep = type(fall.extremes)(**vars(fall.extremes) | {"least_height": -3e-5})
+    doubts = [
+        read_motion(FALL | {"thickness": "0.5 mm"} | series)[0].doubts(deep) for series in ({}, {"prony": "6 MPa @ 20 ms"})
+    ]
+    assert doubts[0] == doubts[1]
+    assert "compared with a half-space" in doubts[0][-1]
+
+
 def test_histories_are_checked():
     assert isinstance(softlube.History("load", [0, 1], [1, 1]).values, np.ndarray)
     for control, time, values, message in (

@@ -12,7 +12,7 @@ from softlube.errors import InputError
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.indenters import PowerShape
 from softlube.model.liquids import BarusLaw
-from softlube.model.substrates import LayerKernel
+from softlube.model.substrates import CreepingKernel, LayerKernel, ViscoelasticKernel
 from softlube.transient.drives import sampled
 from softlube.transient.motion import Motion, constant_load, constant_speed, history
 from softlube.transient.squeeze.rings import SqueezeFilm
@@ -58,6 +58,33 @@ def test_lowest_height_is_that_of_the_dry_contact():
     assert constant_speed(2.0, 1.0, 3.0).lowest_height == pytest.approx(-5)
 
 
+def test_the_grid_holds_the_contact_that_creep_makes():
+    """Under a constant load a³ grows like J; the first load has been taken up in part, by a share of 1/(1 + 2Nτ/π)."""
+    shares, time = (0.6, 0.3), 1e4
+    for tau, expected in (((1e-3, 1.0), 1.0), ((1.0, 1e7), 0.7 ** (1 / 3)), ((1e8, 1e8), 0.1 ** (1 / 3))):
+        motion = replace(constant_load(HERTZ_LOAD, 2.0, time), substrate=CreepingKernel(shares, tau))
+        assert motion.grid(64).edge == pytest.approx(expected, abs=0.002)
+    growing = replace(constant_load(HERTZ_LOAD, 2.0, time), substrate=CreepingKernel((0.7,), (2e3,)))
+    grid = growing.grid(64)
+    assert grid.band == pytest.approx(0.305 ** (1 / 3) / grid.edge, rel=0.01)  # the film has become thin at t = 19
+    assert grid.band_share == pytest.approx(16 * (1 - grid.band))
+    assert constant_load(HERTZ_LOAD, 2.0, time).grid(64).band == 1
+    assert replace(constant_speed(1.0, 1.0, 2.0), substrate=CreepingKernel((0.7,), (2e3,))).grid(64).band == 1
+
+
+def test_a_start_on_a_substrate_that_creeps():
+    """The deflection of the start is that of the part of the pressure that has been taken up."""
+    motion = replace(constant_load(HERTZ_LOAD, 0.5, 1.0), substrate=CreepingKernel((0.7,), (3.0,)))
+    film = SqueezeFilm.on(motion.grid(96), motion.control, motion.substrate)
+    p = motion.first_pressure(film)
+    yielded = motion.yielded(film.shape)
+    assert yielded[0] == pytest.approx(0.3 + 0.7 / (1 + 3 * 2 * HERTZ_LOAD / np.pi), rel=1e-3)
+    assert film.load(p) == pytest.approx(HERTZ_LOAD, rel=1e-9)
+    u = 0.5 + film.shape + film.compliance @ (yielded * p)
+    rate = film.rate(film.conductance * (film.midpoint @ u) ** 3 * (film.slope @ p))[film.grid.r[: film.n] < 10]
+    assert rate == pytest.approx(rate[0], rel=4e-3)
+
+
 def test_history_passes_through_its_points_without_overshoot():
     time, values = [0, 1, 2, 4], [0.0, 1.0, 1.0, 0.2]
     motion = history("load", time, values, 2.0)
@@ -74,14 +101,20 @@ def test_history_passes_through_its_points_without_overshoot():
         constant_speed(-0.5, 1.0, 0.3),
         history("load", [0, 1, 2, 4], [0.0, 1.0, 1.0, 0.2], 2.0),
         replace(history("height", [0, 1], [3.0, 2.0]), substrate=LayerKernel(0.5, 0.3), liquid=BarusLaw(2.0)),
+        replace(constant_load(0.1, 2.0, 3.0), substrate=CreepingKernel((0.5, 0.2), (1.0, 30.0), LayerKernel(0.5))),
     ],
-    ids=["load", "speed", "history", "models"],
+    ids=["load", "speed", "history", "models", "creep"],
 )
 def test_motions_come_back_from_plain_values(motion):
     again = Motion.from_plain(json.loads(json.dumps(motion.to_plain())))
     assert again == motion == pickle.loads(pickle.dumps(motion))
     times = np.linspace(0, motion.duration, 101)
     assert np.array_equal(sampled(again.drive, times), [motion.drive(t) for t in times])
+
+
+def test_lengths_of_steady_sliding_are_refused():
+    with pytest.raises(InputError, match="got lengths of steady sliding, a ViscoelasticKernel"):
+        replace(constant_load(0.1, 2.0, 3.0), substrate=ViscoelasticKernel((0.5,), (1.0,))).grid(64)
 
 
 def test_a_function_has_no_plain_values():

@@ -13,7 +13,7 @@ from softlube.model.exact import HERTZ_LOAD
 from softlube.model.indenters import PowerShape, SphereShape
 from softlube.model.liquids import BarusLaw, NewtonianLaw
 from softlube.model.problem import Problem
-from softlube.model.substrates import HalfSpaceKernel, LayerKernel
+from softlube.model.substrates import CreepingKernel, HalfSpaceKernel, LayerKernel
 from softlube.steady.level import solve_level
 from softlube.steady.mesh import angles_for, grid_for
 from softlube.steady.regime import Regime
@@ -188,3 +188,5 @@ def test_refused():
         start_sliding(BETA, history("load", [0, 1], [1.0, 0.0], 1.0))
     with pytest.raises(InputError, match="pressed"):
         start_sliding(BETA, constant_speed(1.0, 1.0, 0.5), pressed=1.0)
+    with pytest.raises(InputError, match="a start of sliding on one that remembers is not solved"):
+        start_sliding(BETA, replace(constant_load(HERTZ_LOAD, 1.0, 1.0), substrate=CreepingKernel((0.5,), (1.0,))))

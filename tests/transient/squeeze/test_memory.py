@@ -94,14 +94,14 @@ def test_the_jacobian_is_that_of_differences(control, liquid):
     remembered = np.concatenate([0.05 * np.exp(-(r**2)), [0.2] if control == "load" else []])
     z = np.concatenate([0.5 + 0.3 * np.exp(-(r**2)), [0.0], remembered, 0.7 * remembered])
     change = np.concatenate([np.cos(3 * r) * np.exp(-r), [0.3], *(np.cos(np.arange(remembered.size)) for _ in range(2))])
-    step = 1e-6
+    step = 1e-7
     by_differences = (rate(z + step * change) - rate(z - step * change)) / (2 * step)
     by_state = film.flux_derivative(memory.state(z[:n], z[n + 1 :]), drive)
     matrix = memory.jacobian(film.rate(by_state), inflow @ by_state)
     assert issparse(matrix)
     exact = matrix @ change
     for part in (slice(n), slice(n, n + 1), slice(n + 1, None)):
-        assert exact[part] == pytest.approx(by_differences[part], abs=1e-6 * np.abs(by_differences[part]).max())
+        assert exact[part] == pytest.approx(by_differences[part], abs=1e-5 * np.abs(by_differences[part]).max())
 
 
 @pytest.mark.parametrize(
@@ -117,17 +117,16 @@ def test_volume_and_load_balance(motion):
 
 @pytest.mark.parametrize(("shares", "times"), [((0.8,), (300.0,)), ((0.5, 0.3, 0.15), (50.0, 400.0, 3000.0))])
 def test_the_contact_creeps_like_a_dry_one(shares, times):
-    """Under a constant load a³ = J(t) a_relaxed³ (Lee & Radok 1960), and −h₀ = a² within the film, of which 0.8 an elastic one."""
+    """Under a constant load a³ = J(t) a_relaxed³ (Lee & Radok), and −h₀ = a² but for a part of the film, as on elastic ones."""
     motion = creeping(replace(PRESSED, duration=1e4), shares, times)
     run = integrate(motion, rings=128, tolerance=1e-6)
-    late = run.time > 100
+    late = run.time > 200  # the load has acted on the substrate from time 0 on, more or less
     creep = 1 - np.array(shares) @ np.exp(-run.time[late] / np.array(times)[:, None])
-    # What has been taken up before time 0, of a load that has come from afar, is more than nothing, and fades.
-    film = run.histories()["film_center"][late]
-    left = run.heights[late] + creep ** (2 / 3)
-    assert np.all(np.abs(left) < film)
-    assert left[-1] / film[-1] == pytest.approx(0.79, abs=0.05)
-    assert run.heights[-1] == pytest.approx(-(creep[-1] ** (2 / 3)), abs=0.012)
+    left = (run.heights[late] + creep ** (2 / 3)) / run.histories()["film_center"][late]
+    assert np.all((left > 0.5) & (left < 1))
+    elastic = integrate(replace(PRESSED, duration=1e4), rings=91, tolerance=1e-6)
+    assert left[-1] == pytest.approx((elastic.heights[-1] + 1) / elastic.histories()["film_center"][-1], rel=0.02)
+    assert creep[0] < 0.7 * creep[-1]
 
 
 def test_the_film_converges_like_the_fourth_power_of_the_rings():

@@ -7,7 +7,7 @@ from softlube.discretization.elasticity import elastic_operator
 from softlube.discretization.grid import PolarGrid
 from softlube.model.exact import hertz_pressure
 from softlube.model.liquids import BarusLaw, CarreauYasudaLaw, NewtonianLaw, OstwaldLaw, RoelandsLaw
-from softlube.model.substrates import HalfSpaceKernel, LayerKernel
+from softlube.model.substrates import CreepingKernel, HalfSpaceKernel, LayerKernel
 from softlube.transient.squeeze.rings import SqueezeFilm
 
 GRID = PolarGrid(n_r=96, n_theta=6, edge_width=0.1, reach=60)
@@ -96,6 +96,22 @@ def test_rings_are_the_plane_s_first_harmonic(substrate):
     even = np.repeat(p, GRID.shape[1])
     assert rings.compliance @ p == pytest.approx(plane.deflection(even).reshape(GRID.shape)[:, 0], rel=1e-9)
     assert rings.load(p) == pytest.approx(float(plane.load_weights @ even), rel=1e-9)
+
+
+@pytest.mark.parametrize("control", ["load", "height"])
+def test_a_substrate_that_creeps_deflects_by_what_acts_and_what_it_remembers(control):
+    """Of l = h₀ + K (J₀ p + s) the lift, s and its load are given: back comes p, with the load N or under the height h₀."""
+    film = SqueezeFilm.on(GRID, control, CreepingKernel((0.5, 0.3), (1.0, 7.0)))
+    acts, remembered = 0.2 * np.exp(-(GRID.r**2)), 0.1 * np.exp(-2 * GRID.r**2)
+    for p in (acts, remembered):
+        p[film.n - 1 :] = 0
+    lift = film.lift_under(0.2 * acts + remembered, 0.25)
+    state = np.concatenate([lift, remembered[: film.n], [film.load(remembered)] if control == "load" else []])
+    drive = film.load(acts) if control == "load" else 0.25
+    assert film.pressure(state, drive) == pytest.approx(acts, abs=1e-9)
+    assert film.height(state, drive) == pytest.approx(0.25, abs=1e-9)
+    far = 0.25 + (film.compliance @ (0.2 * acts + remembered))[film.n :]
+    assert film.whole_film(state, drive)[film.n :] == pytest.approx(film.shape[film.n :] + far, rel=1e-12)
 
 
 @pytest.mark.parametrize("alpha", [0.5, 2.0])

@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, get_args
+from typing import TYPE_CHECKING, Any, ClassVar, get_args
 
 from softlube.errors import InputError, shown
 from softlube.model.creep import Creep, Term, creep_of
@@ -47,8 +47,12 @@ class RememberingKernel(Kernel):
     words: ClassVar[str] = "a viscoelastic substrate"
     spans: ClassVar[str]
     """Name of the attribute that says over what each share builds up."""
-    shares: tuple[float, ...]
-    relaxed: Substrate
+    if TYPE_CHECKING:
+
+        @property
+        def shares(self) -> tuple[float, ...]: ...
+        @property
+        def relaxed(self) -> Substrate: ...
 
     def __post_init__(self) -> None:
         spans = tuple(map(float, getattr(self, self.spans)))
@@ -185,11 +189,12 @@ class CreepingKernel(RememberingKernel):
     @property
     def creep(self) -> Creep:
         """J₀ with the shares that build up at once, and the others, those of equal times together."""
-        shares: dict[float, float] = {}
-        for share, time in zip(self.shares, self.times, strict=True):
-            shares[time] = shares.get(time, 0.0) + share
+        shares = {
+            time: math.fsum(share for share, own in zip(self.shares, self.times, strict=True) if own == time)
+            for time in sorted(set(self.times))
+        }
         at_once = shares.pop(0.0, 0.0)
-        return Creep(self.instantaneous + at_once, tuple(Term(shares[time], time) for time in sorted(shares)))
+        return Creep(self.instantaneous + at_once, tuple(Term(share, time) for time, share in shares.items()))
 
 
 class PronyInput(Input):
@@ -267,7 +272,7 @@ class Remembering(SubstratePart):
 
     def kernel(
         self, length_unit: float, share: float = 1.0, speed: float | None = None, time_unit: float = 1.0
-    ) -> RememberingKernel:
+    ) -> CreepingKernel | ViscoelasticKernel:
         """Its creep over the time in which the surface moves by the unit of length, or over the unit of time.
 
         An elastic ball adds to the instantaneous part.

@@ -91,7 +91,8 @@ class Memory:
         """Derivatives of the internal variables' change by the lift, (m w, n), and by the internal variables, (m w, m w)."""
         n, by_state = self.film.n, self._acting[0]
         own = kron(csc_array(np.diag(self.rates[:, 0])), eye_array(self.shape[1]))
-        return kron(self.rates, by_state[:, :n], "csc"), kron(self.rates * self.shares, by_state[:, n:], "csc") - own
+        others = kron(csc_array(self.rates * self.shares), csc_array(by_state[:, n:]))
+        return csc_array(kron(csc_array(self.rates), csc_array(by_state[:, :n]))), csc_array(others - own)
 
     def jacobian(self, film: Array, inflow: Array) -> Array | csc_array:
         """Derivative of `rate` by all unknowns: lift, inflow, internal variables.
@@ -112,6 +113,6 @@ class Memory:
         if self.elastic:
             return by_film
         by_lift, by_remembered = self._rate_by_unknowns
-        flow = kron(self.shares[None, :], np.vstack([film[:, n:], inflow[n:]]), "csc")
+        flow = kron(csc_array(self.shares[None, :]), csc_array(np.vstack([film[:, n:], inflow[n:]])))
         by_lift = block_array([[by_lift, csc_array((terms * width, 1))]])  # the inflow moves nothing
-        return block_array([[csc_array(by_film), flow], [by_lift, by_remembered]], format="csc")
+        return csc_array(block_array([[csc_array(by_film), flow], [by_lift, by_remembered]]))
