@@ -76,7 +76,7 @@ def test_a_core_has_fine_cells_and_adds_none_far_outside():
 
 
 def test_a_band_has_even_cells_and_adds_none_elsewhere():
-    plain, banded = PolarGrid(400, 24, edge_width=0.1), PolarGrid(400, 24, edge_width=0.1, band=0.4, band_share=12.0)
+    plain, banded = PolarGrid(400, 24, edge_width=0.02), PolarGrid(400, 24, edge_width=0.02, band=0.4, band_share=12.0)
     r = np.linspace(0.5, 0.9, 9)
     added = 1 / banded.dr_dxi(r) - 1 / plain.dr_dxi(r)
     assert added == pytest.approx(12 / 0.6, rel=0.1)

@@ -21,7 +21,7 @@ PAGE = (DOCS / "how-to" / "squeeze.md").read_text(encoding="utf-8")
 COMMANDS = re.findall(r"```bash\nsoftlube (squeeze .*)\n```\n\n((?:    .*\n)+)((?:\n    Warning.*\n)?)", PAGE)
 
 
-@pytest.mark.parametrize(("command", "shown", "warning"), COMMANDS, ids=["half-space", "layer"])
+@pytest.mark.parametrize(("command", "shown", "warning"), COMMANDS, ids=["half-space", "layer", "creep"])
 def test_command_gives_the_numbers_of_the_page(capsys, monkeypatch, tmp_path, command, shown, warning):
     monkeypatch.chdir(tmp_path)
     arguments = shlex.split(command)

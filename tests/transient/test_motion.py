@@ -78,7 +78,7 @@ def test_a_start_on_a_substrate_that_creeps():
     film = SqueezeFilm.on(motion.grid(96), motion.control, motion.substrate)
     p = motion.first_pressure(film)
     yielded = motion.yielded(film.shape)
-    assert yielded[0] == pytest.approx(0.3 + 0.7 / (1 + 3 * 2 * HERTZ_LOAD / np.pi), rel=1e-3)
+    assert yielded[0] == pytest.approx(0.3 + 0.7 / (1 + 3 * 2 * HERTZ_LOAD / np.pi), rel=5e-3)  # less what is long past
     assert film.load(p) == pytest.approx(HERTZ_LOAD, rel=1e-9)
     u = 0.5 + film.shape + film.compliance @ (yielded * p)
     rate = film.rate(film.conductance * (film.midpoint @ u) ** 3 * (film.slope @ p))[film.grid.r[: film.n] < 10]

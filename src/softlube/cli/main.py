@@ -67,7 +67,7 @@ app.command("softlube.cli.flow:flow", name="flow", help="Draw the flow in the ga
 app.command(
     "softlube.cli.squeeze:squeeze",
     name="squeeze",
-    help="Press a sphere through a film, or pull it away: film, pressure and load against time.",
+    help="Press a sphere through a film, or pull it away: film, pressure and load against time; the substrate may creep.",
 )
 app.command(
     "softlube.cli.completion:install_completion",

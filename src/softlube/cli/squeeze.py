@@ -34,6 +34,7 @@ def squeeze(
     """Press a sphere through a liquid film onto a soft substrate, or pull it away, and follow the film.
 
     Give --radius, --viscosity, one of --young-modulus and --shear-modulus, and one of --load, --approach-speed and --history.
+    With a --prony series the substrate remembers: it creeps under the load.  A start of sliding takes elastic substrates only.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ A coefficient of 1 takes a fifth of the rings away and trebles the error of the 
 
 
 BAND_ENDS = 0.1
-"""Width over which a band of even cells begins and ends, over its own."""
+"""Width over which a band of even cells begins and ends, over its own, at least."""
 
 
 @dataclass(frozen=True)
@@ -106,6 +106,11 @@ class PolarGrid:
         """Place and width of the refined zones, over `edge`."""
         return [(1.0, self.edge_width), *([(self.crest, self.crest_width)] if self.crest else [])]
 
+    @property
+    def _band_ends(self) -> float:
+        """Width over which the band begins and ends; no narrower than the zone at the edge, so that ξ stays smooth."""
+        return max(BAND_ENDS * (1 - self.band), self.edge_width)
+
     def xi_of(self, r: ArrayLike) -> Array:
         """Uniform radial coordinate ξ of radius r."""
         rho = np.asarray(r, dtype=float) / self.edge
@@ -113,7 +118,7 @@ class PolarGrid:
         if self.core < WIDE:
             fine = fine + np.arcsinh(rho / self.core) - np.arcsinh(rho / WIDE)
         if self.band < 1:
-            smooth = BAND_ENDS * (1 - self.band)
+            smooth = self._band_ends
             # √(d² + (ρ − b)²) − √(d² + (ρ + b)²), without cancellation
             inner, outer = (
                 -4 * place * rho / (np.hypot(smooth, rho - place) + np.hypot(smooth, rho + place)) for place in (self.band, 1.0)
@@ -155,7 +160,7 @@ class PolarGrid:
         if self.core < WIDE:
             fine = fine + 1 / np.hypot(self.core, rho) - 1 / np.hypot(WIDE, rho)
         if self.band < 1:
-            smooth = BAND_ENDS * (1 - self.band)
+            smooth = self._band_ends
             inner, outer = (
                 (rho - place) / np.hypot(smooth, rho - place) - (rho + place) / np.hypot(smooth, rho + place)
                 for place in (self.band, 1.0)

@@ -32,6 +32,8 @@ def squeeze(
 ) -> Squeeze:
     """Press a rigid sphere through a liquid film onto a soft substrate, or pull it away; no sliding.
 
+    On a substrate that remembers, `softlube.Viscoelastic` or a series `prony`, the contact creeps while the film drains.
+
     Parts are given as objects, or by their inputs, as for `softlube.Contact`.  Quantities take text with a unit, a pint
     quantity, or a number in SI.  Give exactly one of `young_modulus` and `shear_modulus`, and exactly one of `load`,
     `approach_speed`, `height` and `history`.

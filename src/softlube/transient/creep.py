@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from softlube.model.creep import Creep
@@ -10,19 +11,20 @@ from softlube.transient.squeeze.rings import Control
 
 Array = NDArray[np.floating]
 
-LOGARITHMIC_STEP = 0.1
-"""Step in the logarithm of the time by which the past before the start is summed up: the sum is good to round-off."""
-LARGEST_EXPONENT = 300.0
+FROM = 10.0
+"""Height over that at the start from which a sphere has come down: its pressure then was spread within the grid's reach."""
+POINTS, LONGEST = 64, 40.0
+"""Points of Gauss's quadrature over the past, and how many times τ it goes back at most; good to 10⁻¹²."""
 
 
 def taken_up(creep: Creep, control: Control, speed: float, height: float, shape: Array) -> Array:
     """Share of the pressure at the start that each term of the creep has taken up, shape (m, N).
 
-    A sphere that comes down from afar has done so at the speed, or under the load, of the start.  Its pressure has grown as
+    A sphere has come down from ten times its height at the speed, or under the load, of the start.  Its pressure has grown as
     under a rigid sphere, p ∝ V/u² at a speed V and p ∝ N h₀/u² under a load N, over the film u = h₀ + f.  A term of time τ has
     taken up
 
-        ∫₀^∞ e^(−s) p(−τs)/p(0) ds.
+        ∫ e^(−s) p(−τs)/p(0) ds     from s = 0 to that height.
 
     Parameters
     ----------
@@ -40,13 +42,15 @@ def taken_up(creep: Creep, control: Control, speed: float, height: float, shape:
     shares = np.zeros((len(creep.terms), shape.size))
     if speed <= 0:
         return shares
+    x, weight = leggauss(POINTS)
+    by_load = control == "load"
     for term, share in zip(creep.terms, shares, strict=True):
         sunk = term.time * speed / height
-        logarithm = np.arange(-37 - np.log(max(sunk, 1.0)), 4, LOGARITHMIC_STEP)
-        s = np.exp(logarithm)[:, None]
-        before = height * (np.exp(np.minimum(sunk * s, LARGEST_EXPONENT)) if control == "load" else 1 + sunk * s)
-        grown = (before if control == "load" else height) * ((height + shape) / (before + shape)) ** 2 / height
-        share[:] = LOGARITHMIC_STEP * np.sum(s * np.exp(-s) * grown, axis=0)
+        length = min((np.log(FROM) if by_load else FROM - 1) / sunk, LONGEST)
+        s = length * (1 + x[:, None]) / 2
+        before = height * (np.exp(sunk * s) if by_load else 1 + sunk * s)
+        grown = (before if by_load else height) * ((height + shape) / (before + shape)) ** 2 / height
+        share[:] = length / 2 * weight @ (np.exp(-s) * grown)
     return shares
 
 

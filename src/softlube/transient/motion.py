@@ -38,8 +38,8 @@ THIN = 5.0
 RINGS_FOR_GROWTH = 16.0
 """How much the grid's coordinate grows by a band of even cells where the contact grows by creep, over that part of the radius.
 
-While a contact doubles its radius and the film at its edge thins to 3·10⁻⁴, 181 rings give that film to 10⁻³; without a band
-they gave it to 6 %."""
+While a contact doubles its radius and the film at its edge thins to 3·10⁻⁴, 181 rings give that film to 6·10⁻⁴; without a
+band they gave it to 7 %."""
 DAMPING, LARGEST_ITERATIONS = 0.4, 200
 """Damping factor, and most steps, of the fixed-point iteration for the pressure at the start."""
 LEAST_FLUIDITY = 1e-12
@@ -275,6 +275,7 @@ class Motion:
             narrowing = NECK * (self.duration * (edge * dry.edge_rise) ** 3) ** NECK_EXPONENT
             width = MOVING_EDGE_WIDTH if self.control == "height" else np.clip(narrowing, LEAST_EDGE_WIDTH, EDGE_WIDTH)
             band = min(self._radius_when_thin / edge, 1.0)
+            band = band if 1 - band > width else 1.0  # the zone at the edge holds it
         reach = REACH * max(
             1.0, np.sqrt(2 * max(self.initial_height, self.samples.max() if self.control == "height" else 0)) / edge
         )

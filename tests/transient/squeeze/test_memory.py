@@ -30,11 +30,11 @@ def test_short_times_are_the_relaxed_substrate(motion, relaxed):
     elastic = integrate(replace(motion, substrate=relaxed), rings=64, tolerance=1e-7)
     grid = elastic.film.grid
     at_once = integrate(creeping(motion, (0.5, 0.3), (0.0, 0.0), relaxed), rings=grid, tolerance=1e-7)
-    soon = integrate(creeping(motion, (0.5, 0.3), (1e-6, 1e-5), relaxed), rings=grid, tolerance=1e-7)
+    soon = integrate(creeping(motion, (0.5, 0.3), (1e-7, 1e-6), relaxed), rings=grid, tolerance=1e-7)
     own = elastic.histories()
     for name in (*FILMS, "pressure_max"):
         assert at_once.histories(elastic.time)[name] == pytest.approx(own[name], rel=1e-6)
-        assert soon.histories(elastic.time)[name] == pytest.approx(own[name], rel=3e-5), name
+        assert soon.histories(elastic.time)[name] == pytest.approx(own[name], rel=2e-6 if name in FILMS else 3e-5), name
 
 
 @pytest.mark.parametrize("control", ["load", "height"])

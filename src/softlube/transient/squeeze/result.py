@@ -47,7 +47,7 @@ class Squeeze(Transient):
         Number of rings of each grid that was used, coarse to fine.
     """
 
-    title: ClassVar[str] = "Normal approach of a rigid sphere to an elastic substrate through a film"
+    title: ClassVar[str] = "Normal approach of a rigid sphere to a soft substrate through a film"
     start: ClassVar[str] = "start"
     axes: ClassVar[tuple[str, ...]] = ("r",)
     balance: ClassVar[tuple[str, ...]] = ("volume", "inflow")
