@@ -40,7 +40,7 @@ def taken_up(creep: Creep, control: Control, speed: float, height: float, shape:
         Height f of the indenter's surface over its lowest point.
     """
     shares = np.zeros((len(creep.terms), shape.size))
-    if speed <= 0:
+    if speed <= 0 or not creep.terms:
         return shares
     x, weight = leggauss(POINTS)
     by_load = control == "load"

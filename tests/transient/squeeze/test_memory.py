@@ -129,6 +129,18 @@ def test_the_contact_creeps_like_a_dry_one(shares, times):
     assert creep[0] < 0.7 * creep[-1]
 
 
+def test_held_at_a_depth_the_load_relaxes_like_a_dry_contact_s():
+    """Of a dry sphere the contact stays as it is, and the load goes like E(t) = E_relaxed (1 + e^(−t/500)), 500 = J₀ 1000."""
+    motion = history("height", [0, 2, 5, 3000], [1.0, -0.5, -1.0, -1.0])
+    run, elastic = (integrate(each, rings=91, tolerance=1e-6) for each in (creeping(motion, (0.5,), (1000.0,)), motion))
+    times = np.array([300.0, 1000.0, 3000.0])
+    expected = HERTZ_LOAD * (1 + np.exp(-times / 500))
+    excess = run.histories(times)["load"] / expected - 1
+    # The film lies between, by which an elastic contact's load is larger, too.
+    assert np.all((excess > 0) & (excess < elastic.histories(times)["load"] / HERTZ_LOAD - 1))
+    assert excess[-1] < 0.025
+
+
 def test_the_film_converges_like_the_fourth_power_of_the_rings():
     motion = creeping(PRESSED, (0.7,), (100.0,))
     fine = integrate(motion, rings=256, tolerance=1e-9)
