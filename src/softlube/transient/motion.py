@@ -173,7 +173,7 @@ class Motion:
             return np.inf
         sunk = 2 / np.pi * self.duration / SAMPLES * np.cumsum(np.maximum(self.samples, 0.0))
         load = float(np.max(self._relaxed_loads[: 1 + int(np.searchsorted(sunk, THIN))]))
-        return dry_contact_at(self.substrate, load=load, indenter=self.indenter).radius
+        return dry_contact_at(self.substrate, load=load, indenter=self.indenter).radius if load > 0 else np.inf
 
     @property
     def _rigid_height(self) -> float:

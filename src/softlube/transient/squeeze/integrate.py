@@ -226,7 +226,7 @@ def integrate(
         result = solve_ivp(
             rate,
             (0.0, motion.duration),
-            np.concatenate([first + added, [0.0], remembered.ravel()]),
+            np.concatenate([first + added, [0.0], remembered]),
             method="BDF",
             jac=jacobian,
             rtol=tolerance,
