@@ -83,6 +83,11 @@ def test_a_load_far_outside_is_told():
     assert solution.load_contact.error < 0.01 * solution.load_contact
 
 
+def test_a_prescribed_load_far_outside_is_told_to_decide_the_rest():
+    with pytest.warns(softlube.ValidityWarning, match="of the load is borne beyond the mesh .* so does all else"):
+        softlube.solve(beta_load=3, liquid=OstwaldLaw(REST, 1 / 30, 0.8), accuracy=0.01)
+
+
 def test_order_of_accuracy_without_cavitation():
     law = CarreauYasudaLaw(REST, 10.0, 0.5, 0.01)
     problem = Problem(beta=30.0, cavitation="none", liquid=law, slide_to_roll=1.0)

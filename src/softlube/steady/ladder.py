@@ -37,9 +37,10 @@ LARGEST_PASSED_OVER = 3000
 """Unknowns of a grid without a solution beyond which finer ones are not tried: each would take minutes to have none either."""
 FAR_LOAD = (
     "{share:.2g} of the load is borne beyond the mesh because the viscosity rises there, where the liquid is hardly sheared; "
-    "under a power law that depends on where the liquid ends, and the load within the contact does not"
+    "under a power law that depends on where the liquid ends, and {rest}"
 )
-"""What is said of a liquid that thins whose far field bears a load."""
+"""What is said of a liquid that thins whose far field bears a load; the rest is about a prescribed height, or a load."""
+REST = "the load within the contact does not", "so does all else under a prescribed load, by about that share"
 LARGEST_ACCURACY = 0.1
 """Largest relative error that can be asked for."""
 
@@ -241,7 +242,7 @@ def solution_of(regime: Regime, solved: Sequence[Solved], accuracy: float, progr
     doubt = ContactSystem(regime.problem, finest.grid, regime.unit).load_in_doubt(finest.x)
     warnings = sum((each.doubts(finest, quantities, estimate.errors, accuracy) for each in refinements), ())
     if doubt > accuracy:
-        warnings += (FAR_LOAD.format(share=doubt),)
+        warnings += (FAR_LOAD.format(share=doubt, rest=REST[regime.problem.load_controlled]),)
     if not regime.problem.load_controlled:
         quantities["load"] = Quantity(quantities["load"], max(quantities["load"].error, doubt * quantities["load"]))
     # Eq. (29): the load N̄ has the Hertz indentation δ = |h₀| (N̄/(4/3π))^(2/3), and β_load goes with δ².
