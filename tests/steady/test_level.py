@@ -9,10 +9,10 @@ from softlube.discretization.unsteady import implicit_steps
 from softlube.errors import NotConvergedError
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.problem import Problem
-from softlube.model.substrates import LayerKernel
+from softlube.model.substrates import LayerKernel, ViscoelasticKernel
 from softlube.solvers.continuation import settle
 from softlube.solvers.newton import newton
-from softlube.steady.level import FIRST_TIME, LONGEST_TIME, SHORTEST_TIME, TOLERANCE, solve_level
+from softlube.steady.level import FIRST_TIME, LONGEST_TIME, SHORTEST_TIME, TOLERANCE, sketch, solve_level
 from softlube.steady.mesh import grid_for
 from softlube.steady.regime import Regime
 
@@ -121,3 +121,10 @@ def test_a_grid_without_a_solution_is_refused_with_a_diagnosis():
     problem = Problem(beta=100.0, substrate=LayerKernel(0.2))
     with pytest.raises(NotConvergedError, match=r"did not converge at beta = 100 on \d+ x 15 cells: after \d+ steps"):
         solve_level(Regime.of(problem), grid_for(Regime.of(problem), 15))
+
+
+def test_a_sketch_of_a_gap_whose_outlet_is_all_suction():
+    """The pressure rises to zero along the outlet's axis, and has no edge there."""
+    remembers = ViscoelasticKernel((0.2,), (0.5,))
+    sketched = sketch(Problem(beta=1000.0, height=1, cavitation="none", substrate=remembers))
+    assert np.argmax(sketched.fields.pressure[:, -1]) == len(sketched.fields.r) - 1

@@ -167,9 +167,9 @@ def with_trail(grid: PolarGrid, fields: Fields, unit: float) -> PolarGrid:
 
 
 def _edge_of(fields: Fields, angle: float) -> float:
-    """Where the pressure falls most steeply on the way outwards, between the nodes nearest to an angle."""
+    """Where the pressure falls most steeply on the way outwards, between the nodes nearest to an angle; the rim in a suction."""
     ray = fields.pressure[:, int(np.argmin(np.abs(fields.theta - angle)))]
-    highest = int(np.argmax(ray))
+    highest = int(np.argmax(ray[:-1]))
     fall = -np.diff(ray[highest:]) / np.diff(fields.r[highest:])
     steepest = highest + int(np.argmax(fall))
     return float(fields.r[steepest] + fields.r[steepest + 1]) / 2
