@@ -167,7 +167,7 @@ def with_trail(grid: PolarGrid, fields: Fields, unit: float) -> PolarGrid:
 
 
 def _edge_of(fields: Fields, angle: float) -> float:
-    """Where the pressure falls most steeply on the way outwards, between the nodes nearest to an angle; the rim in a suction."""
+    """Where the pressure falls most steeply outwards, between the nodes nearest to an angle; the rim where it only rises."""
     ray = fields.pressure[:, int(np.argmin(np.abs(fields.theta - angle)))]
     highest = int(np.argmax(ray[:-1]))
     fall = -np.diff(ray[highest:]) / np.diff(fields.r[highest:])
