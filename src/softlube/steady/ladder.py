@@ -21,7 +21,16 @@ from softlube.model.problem import Problem
 from softlube.model.quantities import Quantity, places_of
 from softlube.solvers import budget
 from softlube.solvers.progress import Listener, Progress
-from softlube.steady.error_estimate import COARSE_BETA, GRIDS, Convergence, estimate_errors, looser, too_uncertain, unresolved
+from softlube.steady.error_estimate import (
+    COARSE_BETA,
+    GRIDS,
+    Convergence,
+    estimate_errors,
+    looser,
+    scheme_order,
+    too_uncertain,
+    unresolved,
+)
 from softlube.steady.level import STEEP_STEPS, Level, Solved, solve_level
 from softlube.steady.mesh import angles_for, grid_for
 from softlube.steady.refinements import Refinement, refinements_for
@@ -122,7 +131,7 @@ class Estimate:
         determined: dict[str, Convergence] = {}
         for refinement in refinements_for(regime):
             determined |= refinement.determines(fields, levels[-1])
-        return cls(levels[-1], estimate_errors(levels, angles, exact, determined), determined)
+        return cls(levels[-1], estimate_errors(levels, angles, exact, determined, scheme_order(regime)), determined)
 
     @classmethod
     def from_grids(cls, regime: Regime, solved: Sequence[Solved]) -> Estimate:
