@@ -242,9 +242,7 @@ def _nearest(name: str) -> str:
         return ", a prefix without a unit"
     known = names()
     near = [each for each in known if each.casefold() == name.casefold()]
-    parts = [(name[:i], name[i:]) for i in range(1, len(name)) if {name[:i], name[i:]} <= known.keys()]
-    # The product of two forces is a slip of the finger; that of a pressure and a time is a viscosity without its space.
-    near += [" ".join(pair) for pair in parts if known[pair[0]].powers != known[pair[1]].powers][:1]
+    near += [f"{name[:i]} {name[i:]}" for i in range(1, len(name)) if {name[:i], name[i:]} <= known.keys()][:1]
     if not near:
         from difflib import get_close_matches
 
