@@ -7,14 +7,17 @@ import pytest
 
 from softlube.model.problem import Problem
 from softlube.model.quantities import STEADY
-from softlube.model.substrates import LayerKernel
+from softlube.model.substrates import LayerKernel, ViscoelasticKernel
 from softlube.steady.error_estimate import (
     AT_THE_BOUNDARY,
+    MEMORY_ORDER,
     SAFETY,
+    SCHEME_ORDER,
     Convergence,
     error_of,
     estimate_errors,
     looser,
+    scheme_order,
     too_uncertain,
     unresolved,
     yardstick,
@@ -29,6 +32,16 @@ def test_an_error_of_one_order_is_known(order):
     """Values that converge like h² or h⁴ to 1: the error is exact but for the factor."""
     values = [1 + n**-order for n in ANGLES]
     assert error_of(values, ANGLES) == pytest.approx(SAFETY * (values[-1] - 1))
+
+
+def test_what_a_substrate_remembers_converges_more_slowly():
+    """Changes of its own order are the error; read as of the fourth they would tell too little."""
+    values = [1 + 1e-3 * (ANGLES[-1] / n) ** MEMORY_ORDER for n in ANGLES]
+    error = error_of(values, ANGLES, smooth=MEMORY_ORDER)
+    assert error == pytest.approx(SAFETY * 1e-3)
+    assert scheme_order(Regime.of(Problem(beta=100.0))) == SCHEME_ORDER
+    remembering = Problem(beta=100.0, substrate=ViscoelasticKernel((0.5,), (1.0,)))
+    assert scheme_order(Regime.of(remembering)) == MEMORY_ORDER
 
 
 def test_a_random_error_is_not_taken_for_a_smooth_one():

@@ -69,7 +69,7 @@ class Spike(Refinement):
     def is_settled(self, solved: Sequence[Solved], errors: Mapping[str, float]) -> bool:
         """Whether a spike on the outlet axis was there on the coarser grid, too: its height has an error from two grids on."""
         before, finest = solved[-2:]
-        # Without the mesh's zone the crest is no spike: so is the pressure's at the border of a flat face.
+        # Without the mesh's zone a crest is no spike: the border of a flat face has one under any liquid.
         return not finest.grid.crest or outlet_spike(finest.fields) is None or outlet_spike(before.fields) is not None
 
     def amend(
