@@ -148,3 +148,13 @@ def test_a_budget_that_is_spent_on_close_ups_leaves_the_contact_solved(monkeypat
     monkeypatch.setattr(crests, "wants_close_up", lambda fields, known: True)
     monkeypatch.setattr(crests, "resolve_spike", spent)
     assert crests.spike_quantities(None, [None], {}) == {"spike_radius": Quantity(0.9, 0.01)}
+
+
+@pytest.mark.parametrize(("on_grid", "kept"), [((155.3, 0.4), False), ((158.5, 0.4), True), ((158.5, 0.8), False)])
+def test_grids_that_agree_by_chance_do_not_outweigh_close_ups(monkeypatch, on_grid, kept):
+    """A friction of 158.7 ± 0.6 from close-ups, and another of a grid that misses a part of the spike and does not know it."""
+    monkeypatch.setattr(crests, "tracked", lambda grids: {})
+    monkeypatch.setattr(crests, "wants_close_up", lambda fields, known: True)
+    monkeypatch.setattr(crests, "resolve_spike", lambda *_: {"friction_contact": Quantity(158.7, 0.6)})
+    found = crests.spike_quantities(None, [None], {"friction_contact": Quantity(*on_grid)})
+    assert ("friction_contact" not in found) is kept
