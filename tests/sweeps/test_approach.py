@@ -288,6 +288,10 @@ def test_worked_example_of_the_page(tmp_path, monkeypatch):
         for name, text in zip(header, shown, strict=True):
             if name == "ended_by":
                 assert row[name] == text
+            elif "_error" in name:
+                # Round-off decides when inexact steps end, and the error of the time with it: loads that differ by 10⁻¹⁰
+                # have 0.43 to 0.47 ms.
+                assert row[name] == pytest.approx(float(text), rel=0.3), name
             else:
                 digits = len(text.split("e")[0].replace(".", "").strip("0"))
                 assert float(f"{row[name]:.{digits}g}") == pytest.approx(float(text), rel=1e-9), name
