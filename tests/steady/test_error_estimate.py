@@ -11,6 +11,7 @@ from softlube.model.substrates import LayerKernel, ViscoelasticKernel
 from softlube.steady.error_estimate import (
     AT_THE_BOUNDARY,
     MEMORY_ORDER,
+    PLACES,
     SAFETY,
     SCHEME_ORDER,
     Convergence,
@@ -99,7 +100,7 @@ def test_a_quantity_that_converges_otherwise_has_its_own_error():
     assert slow["load"] == error_of([1.1, 1.1, 1.0], ANGLES, Convergence(order=1)) > error_of([1.1, 1.1, 1.0], ANGLES)
     assert slow["film_min"] == 0
     moved = [same | {"film_min_radius": 1.1}, same | {"film_min_radius": 1.1}, same]  # a place, an order worse than a value
-    assert estimate_errors(moved, ANGLES)["film_min_radius"] == slow["load"]
+    assert estimate_errors(moved, ANGLES, convergence=PLACES)["film_min_radius"] == slow["load"]
     assert estimate_errors(levels, ANGLES, convergence={"load": Convergence(order=1, least=0.4)})["load"] == 0.4
     nothing = estimate_errors(levels, ANGLES, convergence={"load": Convergence(order=1, least=math.inf)})
     assert nothing["load"] == math.inf

@@ -118,7 +118,7 @@ def test_where_newtons_method_goes_astray():
 
 
 def test_a_grid_without_a_solution_is_refused_with_a_diagnosis():
-    problem = Problem(beta=100.0, substrate=LayerKernel(0.2))
+    problem = Problem(beta=100.0, substrate=LayerKernel(0.15))
     with pytest.raises(NotConvergedError, match=r"did not converge at beta = 100 on \d+ x 15 cells: after \d+ steps"):
         solve_level(Regime.of(problem), grid_for(Regime.of(problem), 15))
 

@@ -16,6 +16,7 @@ def test_a_mesh_follows_the_steepness_of_the_edge():
         Regime.of(Problem(beta=1e3, substrate=each)) for each in (HalfSpaceKernel(), LayerKernel(1e3), LayerKernel(0.3))
     )
     assert (half_space.steepness, angles_for(half_space, 26)) == (0, 27)
+    assert angles_for(thick, 26) == 27 < angles_for(thin, 26)
     assert grid_for(half_space, 26).edge == 1
     assert 0 <= thick.steepness < 1e-6
     assert grid_for(thick, 26).shape == grid_for(half_space, 26).shape

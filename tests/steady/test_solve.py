@@ -53,7 +53,8 @@ def test_the_height_passes_through_zero_smoothly():
     solutions = [softlube.solve(beta_load=load) for load in loads]
     heights = [solution.height for solution in solutions]
     assert heights[1] > 0 > heights[2]
-    assert [bool(solution.other_quantities) for solution in solutions] == [False, False, True, True, True, True]
+    # Normalised with |h₀| where all grids have h₀ < 0; at 4.46 it is −0.0022, on the coarsest grid 0.0016.
+    assert [bool(solution.other_quantities) for solution in solutions] == [False, False, False, True, True, True]
     for name in ("height", "film_center", "film_min", "pressure_max", "friction_domain", "load_contact", "film_inlet"):
         values = np.array([solution.quantities[name] for solution in solutions])
         error = max(solution.quantities[name].error for solution in solutions)  # that of the curve through them

@@ -1,7 +1,7 @@
 """Observed order of accuracy of the whole solver, in r and in θ, by a fit.
 
-Without the cavitation condition the solution is smooth and the order is that of the scheme, four.  With it the free boundary
-lies somewhere between the nodes, which leaves second order with an erratic constant.
+Without the cavitation condition the solution is smooth and the order is that of the scheme, four along r and six along θ.  With
+it the free boundary lies somewhere between the nodes, which leaves second order with an erratic constant.
 """
 
 import numpy as np
@@ -29,19 +29,22 @@ def order(sizes, error):
 SMOOTH = ["film_center", "film_inlet", "load", "friction_domain"]
 
 
-@pytest.mark.parametrize(("direction", "sizes"), [("r", [24, 32, 43, 57]), ("theta", [8, 10, 12, 15])])
-def test_smooth_solutions_converge_at_fourth_order(direction, sizes):
+@pytest.mark.parametrize(
+    ("direction", "sizes", "expected"), [("r", [24, 32, 43, 57], 4), ("theta", [12, 16, 20, 26], 6)]
+)
+def test_smooth_solutions_converge_at_the_order_of_the_scheme(direction, sizes, expected):
     problem = Problem(beta=30.0, cavitation="none")
     if direction == "r":
         grids = [PolarGrid(n, 16, **FINE) for n in sizes]
         finest = PolarGrid(120, 16, **FINE)
     else:
         grids = [PolarGrid(48, n, **FINE) for n in sizes]
-        finest = PolarGrid(48, 32, **FINE)
+        finest = PolarGrid(48, 60, **FINE)
     found = errors(problem, grids, finest, SMOOTH)
-    combined = np.exp(np.log(found).mean(axis=1))
-    assert order(np.array(sizes), combined) == pytest.approx(4, abs=0.6)
-    assert found[-1].max() < 1e-3
+    # The friction is an integral of a cubic spline, whose own error, 10⁻⁷, is seen on the grids that differ in θ.
+    combined = np.exp(np.log(found[:, : 4 if direction == "r" else 3]).mean(axis=1))
+    assert order(np.array(sizes), combined) == pytest.approx(expected, abs=0.6)
+    assert found[-1].max() < (1e-3 if direction == "r" else 1e-6)
 
 
 def test_free_boundary_leaves_at_least_second_order():

@@ -41,7 +41,13 @@ FOURTH = Formulas(
     # The value of the quadratic through two nodes upstream and one downstream: third order, as in QUICK (Leonard 1979).
     upstream={-2: 1 / 16, -1: -3 / 16, 0: 3 / 16, 1: -1 / 16},
 )
-"""Formulas of the equation that is solved."""
+"""Formulas of the equation that is solved, along r."""
+SIXTH = Formulas(
+    midpoint={-3: 3 / 256, -2: -25 / 256, -1: 150 / 256, 0: 150 / 256, 1: -25 / 256, 2: 3 / 256},
+    slope={-3: -3 / 640, -2: 25 / 384, -1: -75 / 64, 0: 75 / 64, 1: -25 / 384, 2: 3 / 640},
+    upstream={-3: 0.0, -2: 1 / 16, -1: -3 / 16, 0: 3 / 16, 1: -1 / 16, 2: 0.0},
+)
+"""Formulas of the equation along θ."""
 CENTRAL = {-2: 1 / 12, -1: -2 / 3, 1: 2 / 3, 2: -1 / 12}
 """Derivative of fourth order on a node, by the offsets of its neighbours."""
 SECOND = Formulas(midpoint={-1: 0.5, 0: 0.5}, slope={-1: -1.0, 0: 1.0}, upstream={-1: -0.5, 0: 0.5})
@@ -66,12 +72,12 @@ class Differences:
     divergence: Sparse
 
     @classmethod
-    def on(cls, grid: PolarGrid, formulas: Formulas) -> Differences:
-        """The differences on a grid by some formulas."""
+    def on(cls, grid: PolarGrid, formulas: Formulas, angular: Formulas) -> Differences:
+        """The differences on a grid by some formulas along r and along θ."""
         n_r, (n_nodes, n_angles), n_gaps = grid.n_r, grid.shape, grid.n_theta
         n_radial = (n_r + 2) * n_angles
         shape = n_radial + n_r * n_gaps, n_nodes * n_angles
-        offsets = np.array(list(formulas.slope))
+        offsets, turns = np.array(list(formulas.slope)), np.array(list(angular.slope))
         # From the nodes to the radial faces but the outermost, through the centre to the opposite side, …
         i, k, o = (each.ravel() for each in np.indices((n_r + 1, n_angles, offsets.size)))
         ring = i + offsets[o]
@@ -81,17 +87,18 @@ class Differences:
         last = (n_r + 1) * n_angles + np.tile(np.arange(n_angles), 2)
         places.append((last, last - np.repeat([n_angles, 0], n_angles)))
         # … and to the angular faces, reflected at θ = 0 and π.
-        gap_i, gap_k, gap_o = (each.ravel() for each in np.indices((n_r, n_gaps, offsets.size)))
-        angle = np.abs(gap_k + 1 + offsets[gap_o])
+        gap_i, gap_k, gap_o = (each.ravel() for each in np.indices((n_r, n_gaps, turns.size)))
+        angle = np.abs(gap_k + 1 + turns[gap_o])
         angle = np.where(angle > n_gaps, 2 * n_gaps - angle, angle)
         places.append((n_radial + gap_i * n_gaps + gap_k, gap_i * n_angles + angle))
         rows, columns = (np.concatenate(each) for each in zip(*places, strict=True))
 
-        def matrix(name: str, radial: Array | float, outermost: Array | float, angular: float) -> Sparse:
+        def matrix(name: str, radial: Array | float, outermost: Array | float, turned: float) -> Sparse:
             weights = np.array([getattr(formulas, name)[each] for each in offsets])
+            around = np.array([getattr(angular, name)[each] for each in turns])
             end = np.repeat([getattr(SECOND, name)[-1], getattr(SECOND, name)[0]], n_angles)
             return Sparse(
-                (np.concatenate([weights[o] * radial, end * outermost, weights[gap_o] * angular]), (rows, columns)), shape
+                (np.concatenate([weights[o] * radial, end * outermost, around[gap_o] * turned]), (rows, columns)), shape
             )
 
         # The liquid comes from +x: upstream is at higher r in the inlet half, and at lower θ.
@@ -100,7 +107,7 @@ class Differences:
             slope=matrix("slope", 1 / grid.d_xi, 1 / grid.d_xi, 1 / grid.d_s),
             midpoint=matrix("midpoint", 1.0, 1.0, 1.0),
             upstream=matrix("upstream", inlet, 0.0, -1.0),
-            divergence=_divergence(grid, formulas.slope),
+            divergence=_divergence(grid, formulas.slope, angular.slope),
         )
 
     @cached_property
@@ -133,13 +140,13 @@ class Differences:
         return Sparse((entries, self.slope.indices, self.slope.indptr), self.slope.shape)
 
 
-def sloping(values: Array) -> Array:
-    """Differences of fourth order of equidistant values, half-way between them."""
-    n = values.size - 3
-    return np.sum([weight * values[2 + offset :][:n] for offset, weight in FOURTH.slope.items()], axis=0)
+def sloping(values: Array, formulas: Formulas) -> Array:
+    """Differences of equidistant values, half-way between them."""
+    n, first = values.size + 1 - len(formulas.slope), -min(formulas.slope)
+    return np.sum([weight * values[first + offset :][:n] for offset, weight in formulas.slope.items()], axis=0)
 
 
-def _divergence(grid: PolarGrid, slope: dict[int, float]) -> Sparse:
+def _divergence(grid: PolarGrid, slope: dict[int, float], turning: dict[int, float]) -> Sparse:
     """From the fluxes on the faces to the balance of each cell."""
     n_r, n_angles, n_gaps = grid.n_r, grid.shape[1], grid.n_theta
     n_radial = (n_r + 2) * n_angles
@@ -154,13 +161,15 @@ def _divergence(grid: PolarGrid, slope: dict[int, float]) -> Sparse:
     lost = np.sum(weights[o][np.abs(circle) == 1]) / n_angles * ring
     centre, first = (each.ravel() for each in np.indices((n_angles, n_angles)))
     # Fluxes across θ = 0 and π change their sign with the side.
+    cell, through = i * n_angles + k, weights[o] / grid.d_xi
+    offsets, around = np.array(list(turning)), np.array(list(turning.values()))
+    i, k, o = (each.ravel() for each in np.indices((n_r, n_angles, offsets.size)))
     gap = k + offsets[o]
     outside = (gap < 0) | (gap >= n_gaps)
     gap = np.where(gap < 0, -1 - gap, np.where(gap >= n_gaps, 2 * n_gaps - 1 - gap, gap))
-    angular = np.where(outside, -weights[o], weights[o]) / grid.d_s
-    cell = i * n_angles + k
-    entries = np.concatenate([weights[o] / grid.d_xi, -lost[first] / grid.d_xi, angular])
-    rows = np.concatenate([cell, centre, cell])
+    angular = np.where(outside, -around[o], around[o]) / grid.d_s
+    entries = np.concatenate([through, -lost[first] / grid.d_xi, angular])
+    rows = np.concatenate([cell, centre, i * n_angles + k])
     columns = np.concatenate([radial, n_angles + first, n_radial + i * n_gaps + gap])
     divergence = Sparse((entries, (rows, columns)), (grid.n_unknown, n_radial + n_r * n_gaps))
     divergence.eliminate_zeros()

@@ -62,7 +62,19 @@ class Mesh:
         self.xi, self.s = chart.xi_of(r), chart.s_of(theta)
         self.centre = int(r[0] == 0)  # whether there is a ring at the centre, which is its own image
         self.xi_nodes = np.concatenate([-self.xi[self.centre :][::-1], self.xi])
-        self.s_nodes = np.concatenate([-self.s[MARGIN:0:-1], self.s, 2 * np.pi - self.s[-2 : -2 - MARGIN : -1]])
+        self.s_nodes = _folded_out(self.s)
+        self.s_film = _folded_out(np.linspace(0, np.pi, 2 * self.s.size - 1))
+
+    @cached_property
+    def waves(self) -> Array:
+        """Matrix from values on the nodes of a ring to those on twice as many, on the trigonometric polynomial through them.
+
+        It is the polynomial of which the displacement is computed (`softlube.discretization.elasticity.angular_transform`).
+        """
+        m = np.arange(self.s.size)
+        ends = np.where((m == 0) | (m == m[-1]), 0.5, 1.0)
+        coefficients = np.cos(np.outer(m, self.s)) * ends * ends[:, None] * 2 / m[-1]
+        return np.cos(np.outer(np.linspace(0, np.pi, 2 * self.s.size - 1), m)) @ coefficients
 
     @cached_property
     def nodes(self) -> Places:
@@ -72,6 +84,11 @@ class Mesh:
     def places(self, xi: Array, s: Array) -> Places:
         """The product of chart coordinates ξ and s."""
         return Places(self, xi, s)
+
+
+def _folded_out(s: Array) -> Array:
+    """Nodes from 0 to π with `MARGIN` of their images on either side."""
+    return np.concatenate([-s[MARGIN:0:-1], s, 2 * np.pi - s[-2 : -2 - MARGIN : -1]])
 
 
 @lru_cache(maxsize=16)
@@ -181,11 +198,12 @@ class Fields:
         return _mesh(self.chart, self.r.tobytes(), self.theta.tobytes())
 
     def _spline(self, values: Array) -> Spline:
-        """Cubic spline through nodal values, continued evenly across θ = 0 and π and through the centre."""
+        """Cubic spline through nodal values, or values on twice as many angles, even across θ = 0 and π and the centre."""
         mesh = self.mesh
+        nodes = mesh.s_nodes if values.shape[1] == mesh.s.size else mesh.s_film
         values = np.concatenate([values[mesh.centre :][::-1, ::-1], values])
         values = np.concatenate([values[:, MARGIN:0:-1], values, values[:, -2 : -2 - MARGIN : -1]], axis=1)
-        return Spline.through(mesh.xi_nodes, mesh.s_nodes, values)
+        return Spline.through(mesh.xi_nodes, nodes, values)
 
     @cached_property
     def pressure_spline(self) -> Spline:
@@ -202,17 +220,20 @@ class Fields:
     def film_spline(self) -> Spline:
         """ū(ξ, s).
 
+        Along θ a film is smooth, also where the pressure is not, and narrow at the sides.  So the spline runs through the
+        trigonometric polynomial through its nodes, on twice as many.
+
         Far outside a film is nearly the indenter's height, which may grow so fast that a spline through a few nodes swings.
         There the slopes are the height's own, and a spline's only of what the film differs from it.
         """
-        spline = self._spline(self.film)
+        spline = self._spline(self.film @ self.mesh.waves.T)
         if self.indenter == PARABOLOID:
             return spline
         height, slope = self.indenter.height(self.r), self.indenter.slope(self.r) * self.chart.dr_dxi(self.r)
         difference = self.film - height[:, None]
         near = np.flatnonzero(np.any(np.abs(difference) > FAR * height[:, None], axis=1))
         far = self.r.size - 1 - (int(near[-1]) if near.size else 0)  # rings on either end of the nodes
-        slopes = self._spline(difference).table[1]
+        slopes = self._spline(difference @ self.mesh.waves.T).table[1]
         slopes[:, 0] += np.concatenate([-slope[self.mesh.centre :][::-1], slope])[:, None]
         for end in (slice(far), slice(self.mesh.xi_nodes.size - far, None)):
             spline.table[1, end] = slopes[end]
@@ -259,11 +280,11 @@ class Fields:
 
     def film_on(self, at: Places) -> Array:
         """ū at places."""
-        return self.film_spline.on(at.across, at.along)
+        return at.on(self.film_spline)
 
     def pressure_on(self, at: Places) -> Array:
         """p̄ at places."""
-        return self.pressure_spline.on(at.across, at.along)
+        return at.on(self.pressure_spline)
 
     @property
     def slip(self) -> float:
@@ -310,7 +331,7 @@ class Fields:
 
         On the sphere the shear stress is this plus 3ū ∂p̄/∂x, on the substrate less.
         """
-        thinned = np.exp(self._ln_drag.on(at.across, at.along)) if self.liquid.thins and self.slip else 1.0
+        thinned = np.exp(at.on(self._ln_drag)) if self.liquid.thins and self.slip else 1.0
         return self.drag_under(self.pressure_on(at), self.film_on(at), thinned)
 
     def drag_under(self, pressure: Array, film: Array, thinned: Array | float = 1.0) -> Array:
@@ -320,8 +341,8 @@ class Fields:
     def gradient_on(self, at: Places, spline: Spline | None = None) -> tuple[Array, Array]:
         """Cartesian gradient of the pressure, or of another spline, at places with ξ > 0."""
         spline = self.pressure_spline if spline is None else spline
-        by_r = spline.on(at.across, at.along, dx=1) / at.dr_dxi[:, None]
-        by_theta = spline.on(at.across, at.along, dy=1) / at.dtheta_ds / at.r[:, None]
+        by_r = at.on(spline, dx=1) / at.dr_dxi[:, None]
+        by_theta = at.on(spline, dy=1) / at.dtheta_ds / at.r[:, None]
         return at.cosine * by_r - at.sine * by_theta, at.sine * by_r + at.cosine * by_theta
 
 
@@ -350,6 +371,15 @@ class Places:
     def along(self) -> Weights:
         """Weights of the cubics along s."""
         return Weights(self.mesh.s_nodes, self.s)
+
+    @cached_property
+    def along_film(self) -> Weights:
+        """Weights of the cubics along s of a film."""
+        return Weights(self.mesh.s_film, self.s)
+
+    def on(self, spline: Spline, dx: int = 0, dy: int = 0) -> Array:
+        """Values or derivatives of a spline through the nodes of the mesh or a film's, shape (ξ, s)."""
+        return spline.on(self.across, self.along if spline.y is self.mesh.s_nodes else self.along_film, dx, dy)
 
     @cached_property
     def r(self) -> Array:

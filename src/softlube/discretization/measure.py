@@ -15,7 +15,7 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from softlube.discretization.fields import Fields, Mesh, Places
-from softlube.discretization.splines import Spline, lowest
+from softlube.discretization.splines import Spline, lowest, polynomial_weights
 from softlube.model.quantities import BOUNDARY_LAYER_LEVEL
 from softlube.solvers.threads import one_thread
 
@@ -50,7 +50,7 @@ def _least(spline: Spline, at: Places) -> tuple[float, float, float]:
     On the x axis, which is a line of symmetry, it is the minimum along the line, unless the spline falls to both sides of it;
     elsewhere Newton's method finds it.
     """
-    values = spline.on(at.across, at.along)
+    values = at.on(spline)
     i, k = np.unravel_index(int(np.argmin(values)), values.shape)
     xi, s, best = float(at.xi[i]), float(at.s[k]), float(values[i, k])
     reach = np.array([np.max(np.diff(at.xi)), np.max(np.diff(at.s))])
@@ -203,7 +203,7 @@ def hysteresis_friction(fields: Fields) -> float:
     if fields.recovery is None:
         return 0.0
     slope = fields.recovery_spline
-    return 6 * float(integrate(fields, lambda at: fields.pressure_on(at) * slope.on(at.across, at.along), float(fields.r[-1])))
+    return 6 * float(integrate(fields, lambda at: fields.pressure_on(at) * at.on(slope), float(fields.r[-1])))
 
 
 def friction_profile(fields: Fields) -> tuple[Array, Array]:
@@ -237,7 +237,7 @@ def wall_shear_rate(fields: Fields, at: Places) -> Array:
 def _thinned(fields: Fields, cutoff: float) -> dict[str, float]:
     """Quantities of `softlube.model.quantities.THINNING` over r ≤ cutoff."""
     at_walls = [fields.nodal_spline(np.log(np.mean(each, axis=0))) for each in (fields.sheared.stress, fields.sheared.rate)]
-    stress, rate = integrate(fields, lambda at: np.exp([each.on(at.across, at.along) for each in at_walls]), cutoff)
+    stress, rate = integrate(fields, lambda at: np.exp([at.on(each) for each in at_walls]), cutoff)
     area = np.pi * cutoff**2
     return {"shear_rate_mean": float(rate / area), "viscosity_mean": float(fields.beta * stress / rate)}
 
@@ -279,12 +279,8 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
     sheared = fields.sheared.rate.max(axis=0)[1 - mesh.centre :] if thins else wall_shear_rate(fields, mesh.nodes)
     near = around(np.vstack([np.zeros((1, s_nodes.size)), -sheared]))
     near = mesh.places(np.maximum(near.xi, xi_nodes[1] / 8), near.s)
-    inlet = mesh.places(_fine(xi_nodes, 0.0, float(xi_nodes[-1]), 3), INLET_AXIS)
     outlet = _fine(xi_nodes, 0.0, float(chart.xi_of(domain)), 1)
     outlet_line = np.stack([fields.film_spline(outlet, OUTLET_AXIS, dx=d)[:, 0] for d in (0, 1)])
-
-    def inlet_slope(at: Places) -> Array:
-        return np.abs(fields.pressure_spline.on(at.across, at.along, dx=1)) / at.dr_dxi[:, None]
 
     within = {
         factor: integrate(fields, lambda at: _densities(fields, at), cutoff).tolist()
@@ -310,12 +306,32 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
         "film_outlet_min": float(lowest(outlet, outlet_line)[1]),
         "pressure_center": pressure_center,
         "pressure_max": pressure_max,
-        "pressure_gradient_inlet": _largest(inlet_slope, inlet, mesh),
+        "pressure_gradient_inlet": steepest_inlet(fields),
         "boundary_layer": boundary_layer(fields, pressure_max, edge),
         **by_region,
         "shear_rate_max": _largest(lambda at: wall_shear_rate(fields, at), near, mesh),
     }
     return found | _thinned(fields, contact) if thins else found
+
+
+def steepest_inlet(fields: Fields) -> float:
+    """Largest pressure gradient on the inlet axis, Eq. (20).
+
+    It is of the sixth order: a cubic spline's slope would be of third between its nodes.
+    """
+    mesh, chart = fields.mesh, fields.chart
+    axis = np.concatenate([fields.pressure[mesh.centre :][::-1, -1], fields.pressure[:, 0]])
+    nodes = mesh.xi_nodes
+    slopes = polynomial_weights(nodes, nodes, 1, 7) @ axis / chart.dr_dxi(chart.r_of(np.abs(nodes)))
+
+    def steepness(xi: Array) -> Array:
+        return np.abs(polynomial_weights(nodes, xi, 0, 6) @ slopes)
+
+    xi = np.union1d(0.0, mesh.xi)
+    steepest = int(np.argmax(steepness(xi)))
+    values = steepness(np.linspace(xi[max(steepest - 1, 0)], xi[min(steepest + 1, xi.size - 1)], 33))
+    highest = np.argmax(values)
+    return float(values[highest] + _above(values, highest))
 
 
 def boundary_layer(fields: Fields, pressure_max: float, edge: float = 1.0) -> float:

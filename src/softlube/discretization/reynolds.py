@@ -1,12 +1,12 @@
-"""The Reynolds equation (1b), (6a) on the polar grid, conservative and of fourth order.
+"""The Reynolds equation (1b), (6a) on the polar grid, conservative; of fourth order along r, of sixth along θ.
 
     ∇·(ρφu³∇p) + (1/β) ∂(ρu)/∂x = 0,
 
 ρ the density and φ = η₀/η(p) the liquid's fluidity, 1 in the paper, and φ∇p = ∇q with the reduced pressure q of
 `softlube.model.liquids`.  In the uniform coordinates (ξ, s) the flux f = ρu³∇q + (ρu/β) e_x balances as
 ∂_ξ(θ′ r f_r) + ∂_s(r′ f_θ) = 0 with r′ = dr/dξ and θ′ = dθ/ds.  Fluxes live on the faces of the cells: gradient and film come
-from the four nearest nodes, the divergence from the four nearest faces.  The metric factors of the Couette flux are
-differences of sin θ and r themselves, so that a uniform film carries no pressure, exactly.
+from the four nearest nodes along r and the six nearest along θ, the divergence from as many faces.  The metric factors of the
+Couette flux are differences of sin θ and r themselves, so that a uniform film carries no pressure, exactly.
 
 A liquid that thins with shear has φu²m/6 in place of u³∇q, m(6u∇p, ΔU/u) the law of its flux (`softlube.model.film_section`).
 There the component of the flux across a face depends on both components of the gradient: the one along the face is a difference
@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from softlube.discretization.differences import FOURTH, SECOND, Differences, Faces, Sparse, sloping
+from softlube.discretization.differences import FOURTH, SECOND, SIXTH, Differences, Faces, Sparse, sloping
 from softlube.discretization.grid import PolarGrid
 from softlube.model.film_section import film_section
 from softlube.model.liquids import Liquid, NewtonianLaw
@@ -41,7 +41,7 @@ class ReynoldsOperator:
     ----------
     grid : PolarGrid
     differences : Differences
-        Those of the equation, of fourth order.
+        Those of the equation.
     nearest : Differences
         Those of second order, for a preconditioner with a narrow band.
     conductance, drag : ndarray, shape (faces,)
@@ -67,14 +67,14 @@ class ReynoldsOperator:
         theta_face = grid.theta_of(grid.s_face)
         # Metric factors are differences themselves, of functions that are odd: of sin θ, θ′ cos θ, and of r, r′.
         sine = np.sin(theta_face)
-        cosine = sloping(np.concatenate([-sine[1::-1], sine, -sine[:-3:-1]])) / grid.d_s
-        stretch = sloping(np.concatenate([-r_face[1:2], r_face])) / grid.d_xi
+        cosine = sloping(np.concatenate([-sine[2::-1], sine, -sine[:-4:-1]]), SIXTH) / grid.d_s
+        stretch = sloping(np.concatenate([-r_face[1:2], r_face]), FOURTH) / grid.d_xi
         radial = np.outer(r_face / grid.dr_dxi(r_face), grid.dtheta_ds(grid.s))
         angular = np.outer(grid.dr_dxi(r) / r, 1 / grid.dtheta_ds(grid.s_face))
         return cls(
             grid=grid,
-            differences=Differences.on(grid, FOURTH),
-            nearest=Differences.on(grid, SECOND),
+            differences=Differences.on(grid, FOURTH, SIXTH),
+            nearest=Differences.on(grid, SECOND, SECOND),
             conductance=np.concatenate([radial.ravel(), angular.ravel()]),
             drag=np.concatenate([np.outer(r_face, cosine).ravel(), -np.outer(stretch, np.sin(theta_face)).ravel()]),
         )

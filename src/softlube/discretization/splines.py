@@ -160,6 +160,23 @@ class Spline:
         return np.array([across.of(d) for d in range(3)]) @ near @ np.array([along.of(d) for d in range(3)]).T
 
 
+def polynomial_weights(nodes: Array, x: Array, derivative: int, count: int) -> Array:
+    """Weights of values on nodes in the value (0) or slope (1) of polynomials at points, shape (points, nodes).
+
+    Each polynomial runs through the six or seven nodes (the count) about its point.  Six are as many on either side of a point
+    in between, seven on either side of a node.
+    """
+    first = np.clip(np.searchsorted(nodes, x) - 3, 0, nodes.size - count)
+    near = first[:, None] + np.arange(count)
+    unit = (nodes[near[:, -1]] - nodes[first]) / (count - 1)
+    powers = ((nodes[near] - x[:, None]) / unit[:, None])[:, None, :] ** np.arange(count)[:, None]
+    taylor = np.eye(count)[:, derivative, None]
+    weights = np.zeros((x.size, nodes.size))
+    found = np.linalg.solve(powers, taylor)[:, :, 0] / unit[:, None] ** derivative
+    np.put_along_axis(weights, near, found, axis=1)
+    return weights
+
+
 def bilinear(x_nodes: Array, y_nodes: Array, values: Array, x: Array, y: Array) -> Array:
     """Linear in between: values at points, which broadcast, from values on the product of nodes.
 

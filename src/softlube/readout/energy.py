@@ -108,7 +108,7 @@ def energy_balance(solution: Solution, cutoff: float = 2.0) -> EnergyBalance:
     x, weight = leggauss(64)
     rim = fields.mesh.places(fields.chart.xi_of(np.array([cutoff])), np.pi * (x + 1) / 2)
     pressure, film = fields.pressure_on(rim)[0], fields.film_on(rim)[0]
-    outwards = (fields.pressure_spline.on(rim.across, rim.along, dx=1) / rim.dr_dxi[:, None])[0]
+    outwards = (rim.on(fields.pressure_spline, dx=1) / rim.dr_dxi[:, None])[0]
     flux = 6 * pressure * film * rim.cosine + 6 * fields.beta * pressure * film**3 * outwards
     return EnergyBalance(
         viscous=couette - poiseuille,

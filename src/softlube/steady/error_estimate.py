@@ -17,7 +17,7 @@ angles the larger β is; the second beyond `COARSE_BETA`."""
 LOOSER_TRAIL = LOOSER_DEEP | {"film_outlet_min": 10.0}
 """The same on a substrate that remembers, where the edge of the contact runs askew to the mesh."""
 COARSE_BETA = 3e6
-"""β′ up to which the coarsest grid is of use: beyond it cannot hold the boundary layers together."""
+"""β′ beyond which the thinnest boundary layer is known less well, and grids of 9 angles cannot hold it together."""
 LARGEST_ERROR = 0.1
 """Relative error up to which a quantity that a refinement determines is given."""
 GRIDS = 3
@@ -50,11 +50,16 @@ class Convergence:
 
 
 SMOOTH = Convergence(order=2, smooth=True)
-"""The scheme is of fourth order where the pressure is smooth, and of second at the free boundary."""
+"""The scheme is of fourth order along r where the pressure is smooth, and of second at the free boundary."""
 PLACES = dict.fromkeys((name for name, row in QUANTITIES.items() if row.place), Convergence(order=1))
 """Where an extremum lies, which is flat there: a place is found an order worse than the value."""
-AT_THE_BOUNDARY = dict.fromkeys(("film_outlet_min", "shear_rate_max"), Convergence(order=2))
-"""The extrema where the liquid leaves the contact, at the free boundary: its place within a cell decides their errors."""
+BY_CHANCE = Convergence(order=2)
+"""Where two changes may agree by chance."""
+AT_THE_SIDES = {"film_min": BY_CHANCE}
+"""The film at the sides: coarse grids do not see how narrow its minimum is in angle, and their errors change sign."""
+AT_THE_BOUNDARY = dict.fromkeys(("film_outlet_min", "shear_rate_max"), BY_CHANCE)
+"""The extrema where the liquid leaves the contact, at the free boundary under the Reynolds condition: its place within a cell
+decides their errors."""
 CANCELLING = dict.fromkeys(FRICTIONS, Convergence(order=2, smooth=True, least=1e-6))
 """Errors of the frictions along r and along θ have opposite signs in narrow boundary layers, 5·10⁻⁶ each at β = 3·10⁷ on 39
 angles.  What is left of both is not told below a fifth of that, for grids are nested to whole rings only."""
@@ -68,6 +73,11 @@ def yardstick(name: str, values: Mapping[str, float]) -> float:
 def scheme_order(regime: Regime) -> float:
     """Power of the spacing with which a contact's smooth solution converges."""
     return SCHEME_ORDER if regime.problem.substrate.memory is None else MEMORY_ORDER
+
+
+def convergence_of(regime: Regime) -> dict[str, Convergence]:
+    """How the quantities of a contact converge; those that are not named as `SMOOTH`."""
+    return PLACES | CANCELLING | AT_THE_SIDES | ({} if regime.suction else AT_THE_BOUNDARY)
 
 
 def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence = SMOOTH, smooth: float = SCHEME_ORDER) -> float:
@@ -92,8 +102,9 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
     a + k (a − b) would be the error, with the k below.  But its place within its cell is another one on every grid: the signs
     tell nothing, and nothing beyond the larger reading does.  So with M = max(|a|, |b|) the error is M + k min(|a − b|, M).
 
-    Where that place is all that counts, a and b may agree by chance.  Then all is read as of second order, a as of the
-    quantity's own, and the largest is taken: a, what it differs from b by, and half of b, which has a smooth part, too.
+    Where that place is all that counts, or where coarse grids do not see a narrow minimum, a and b may agree by chance.  Then
+    all is read as of second order, a as of the quantity's own, and the largest is taken: a, what it differs from b by, and
+    half of b, which has a smooth part, too.
     """
     coarsest, middle = (value - values[-1] for value in values[-GRIDS:-1])
     far, near = (angles[-1] / n for n in angles[-GRIDS:-1])
@@ -126,7 +137,7 @@ def estimate_errors(
     exact : str
         A quantity that is prescribed.
     convergence : mapping of str to Convergence, optional
-        How some quantities converge; else as in `PLACES`, `AT_THE_BOUNDARY`, `CANCELLING` and `SMOOTH`.
+        How some quantities converge; else as `SMOOTH`; see `convergence_of`.
     smooth : float
         Power of the spacing with which a smooth solution converges, see `scheme_order`.
 
@@ -137,7 +148,7 @@ def estimate_errors(
     """
     estimates = {}
     for name in levels[-1]:
-        rate = (PLACES | AT_THE_BOUNDARY | CANCELLING | dict(convergence or {})).get(name, SMOOTH)
+        rate = (convergence or {}).get(name, SMOOTH)
         error = error_of([level[name] for level in levels], angles, rate, smooth)
         estimates[name] = 0.0 if name == exact else max(error, rate.least * yardstick(name, levels[-1]))
     return estimates

@@ -25,6 +25,7 @@ from softlube.steady.error_estimate import (
     COARSE_BETA,
     GRIDS,
     Convergence,
+    convergence_of,
     estimate_errors,
     looser,
     scheme_order,
@@ -37,9 +38,10 @@ from softlube.steady.refinements import Refinement, refinements_for
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
-LADDER = (9, 17, 29, 39, 61, 91)
-"""Angular intervals of the nested grids, coarse to fine; on a layer a few more, see `softlube.steady.mesh.angles_for`.  All are
-odd, so that the sides, at 90°, lie half-way between two nodes of every grid."""
+LADDER, LADDER_DEEP = (9, 17, 29, 39, 61, 91), (15, 23, 35, 49, 69, 95)
+"""Angular intervals of the nested grids, coarse to fine, and beyond `COARSE_BETA`, where fewer cannot hold the boundary layers
+together; on a layer a few more, see `softlube.steady.mesh.angles_for`.  All are odd, so that the sides, at 90°, lie half-way
+between two nodes of every grid."""
 REFINED_ANGLES = 39
 """Angular intervals from which on a grid can be fine enough although a refinement determines some quantities on it."""
 LARGEST_PASSED_OVER = 3000
@@ -67,7 +69,7 @@ def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:
     """
     before: Solved | None = None
     refinements = refinements_for(regime)
-    ladder = LADDER[1:] if regime.beta > COARSE_BETA else LADDER
+    ladder = LADDER_DEEP if regime.layers_like > COARSE_BETA else LADDER
     fewest = max(GRIDS, 1 + sum(each < REFINED_ANGLES for each in ladder)) if refinements else GRIDS
     for number, n_theta in enumerate(ladder, 1):
         adjustments = [partial(each.adjust, before=before) for each in refinements]
@@ -131,7 +133,11 @@ class Estimate:
         determined: dict[str, Convergence] = {}
         for refinement in refinements_for(regime):
             determined |= refinement.determines(fields, levels[-1])
-        return cls(levels[-1], estimate_errors(levels, angles, exact, determined, scheme_order(regime)), determined)
+        return cls(
+            levels[-1],
+            estimate_errors(levels, angles, exact, convergence_of(regime) | determined, scheme_order(regime)),
+            determined,
+        )
 
     @classmethod
     def from_grids(cls, regime: Regime, solved: Sequence[Solved]) -> Estimate:

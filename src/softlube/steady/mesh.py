@@ -17,26 +17,26 @@ from softlube.steady.regime import Regime
 
 RADIAL_STEP = 5.2
 """Spacing of ξ times the number of angular intervals."""
-RADIAL_STEP_LIGHT = 3.5
+RADIAL_STEP_LIGHT = 3.6
 """Radial step under a sphere that hardly touches the substrate or does not."""
 LIGHT = 50.0
 """β below which a sphere hardly touches."""
 RADIAL_STEP_STEEP, STEEP_LIGHT = 4.3, (3.0, 30.0)
 """Radial step on layers up to larger β, where the film is thinnest on the outlet axis, at the free boundary; and by how much
 larger the β are for the light step and for this one, times the share of the dry pressure's rise at the edge that is theirs."""
-RADIAL_STEP_SUCTION = 3.2
-"""Radial step of contacts that are not `Regime.deep`, without the Reynolds condition: the suction behind the contact is
-narrower than the boundary layer at its edge."""
-STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.35, 1.2
+RADIAL_STEP_SUCTION, RADIAL_STEP_SUCTION_DEEP = 2.8, 3.8
+"""Radial step of contacts without the Reynolds condition, the second of those that are `Regime.deep`: the suction behind the
+contact is narrower than the boundary layer at its edge."""
+SIDE_WIDTH, WIDEST_SIDES, SIDE_CROWDING = 2.0, 1.2, 1.6
+"""Width of the mesh's zone at the sides over β^(−1/4), and at most; and the crowding there.  The widest zone, of light loads,
+puts the angle of 108°, at which their film breaks, where 17 to 39 intervals tell the error that it leaves."""
+STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.45, 1.9
 """What `Regime.steepness` adds to the mesh: by how much its zone at the edge moves outwards, over β^(−2/5); crowding at the
 sides; angular intervals and, with its square, radial spacing, both as a fraction."""
 THINS, THINNING_SIDES, THINNING_CROWDING = 0.1, 0.75, 0.6
 """`Regime.thinning` from which on the film at the sides, where the shear rate is largest, needs a finer mesh; factor of the
 width of the mesh's zone there, and what is added to the crowding.  Contacts at β = 1000 with n = 0.5 and λ from 100 to 1000
 reach the usual accuracy with three grids, for which four were needed without."""
-DEEP_ANGLES = 31 / 26
-"""Angular intervals on a layer over the half-space's at least, in a `Regime.deep` contact, for the error that the free
-boundary leaves of the film at the sides (`softlube.steady.error_estimate`)."""
 STIFFEST_EDGE = 4.6
 """Rise of the dry pressure at the edge over Hertz's beyond which rings are added in proportion, so that the rings within the
 contact stay as narrow as the layer is thick."""
@@ -47,9 +47,9 @@ TRAIL_THINNING = 2.8
 """Coefficient of the mesh's thinning beyond the contact where it has that zone, whose rings are wanted within the contact."""
 SHIFTED_EDGE = 0.1
 """Distance of the contact's edge at the inlet and the sides from the mesh's that is not worth a change."""
-BLUNT_STEP, BLUNT_SIDES = 0.38, 0.8
-"""Powers of 2 over a blunt indenter's `DryContact.exponent` that the radial step and the crowding at the sides take: at the
-edge of its contact the pressure bends more than a paraboloid's, and the film at the sides needs a wider zone."""
+BLUNT_STEP = 0.36
+"""Power of 2 over a blunt indenter's `DryContact.exponent` that the radial step takes: at the edge of its contact the pressure
+bends more than a paraboloid's."""
 REACH, FARTHEST = 20.0, 60.0
 """Radius of the rim over the edge's under a paraboloid; and at least over a gap, where u = h₀ + r²/2 becomes r²/2 later."""
 RIMS, FAR_EXPONENT = REACH * 2.0 ** np.arange(-4, 7, 0.25), 1.98
@@ -64,10 +64,7 @@ COARSEST = 0.43
 
 def angles_for(regime: Regime, n_theta: int) -> int:
     """Angular intervals that do for a contact what `n_theta` do on a half-space; always odd."""
-    factor = 1 + STEEP_ANGLES * regime.steepness
-    if regime.steepness > 0 and regime.deep:
-        factor = max(factor, DEEP_ANGLES)
-    return 2 * int(n_theta * factor / 2) + 1
+    return 2 * int(n_theta * (1 + STEEP_ANGLES * regime.steepness) / 2) + 1
 
 
 def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[PolarGrid], PolarGrid]] = ()) -> PolarGrid:
@@ -92,9 +89,9 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     octave = np.round(np.log2(beta**-0.4) - 0.2)  # a little early: too fine costs less than too coarse
     steep, rise = regime.steepness, regime.dry.substrate_rise
     edge = 1 + float(min(STEEP_SHIFT * steep * 2.0**octave, 0.25))
-    width = float(min((2.4 if regime.deep else 1.4) * 2.0 ** (octave * 0.625), 1.0))
+    width = float(min(SIDE_WIDTH * 2.0 ** (octave * 0.625), WIDEST_SIDES))
     blunt = min(1.0, 2 / regime.dry.exponent)
-    crowding = (1.2 if regime.deep else 0.7) * blunt**BLUNT_SIDES + STEEP_CROWDING * steep
+    crowding = SIDE_CROWDING + STEEP_CROWDING * steep
     if regime.thinning > THINS and not regime.over_gap:
         width, crowding = THINNING_SIDES * width, crowding + THINNING_CROWDING
     reach, core = _extent(regime.problem.indenter, float(np.sqrt(regime.unit)))
@@ -114,8 +111,8 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     step = RADIAL_STEP_LIGHT if beta < light else RADIAL_STEP_STEEP if beta < less_light else RADIAL_STEP
     if not regime.suction:
         step = max(step, min(step * (1 + STEEP_STEP * steep**2), COARSEST * n_theta))
-    elif not (regime.over_gap or regime.deep):
-        step = RADIAL_STEP_SUCTION
+    elif not regime.over_gap:
+        step = RADIAL_STEP_SUCTION_DEEP if regime.deep else RADIAL_STEP_SUCTION
     if not regime.over_gap:
         step *= min(1.0, STIFFEST_EDGE / rise)
         if not regime.deep and beta >= light:

@@ -19,8 +19,11 @@ TOUCHING = 4.5
 """β_load at which h₀ = 0 under the Reynolds condition, about."""
 THIN_GAP = 15.0
 """β′ of a layer beyond which there is a contact even where the sphere stays above the undeformed surface."""
-DEEP_BETA = 3e4
+DEEP_BETA = 2e4
 """β′ beyond which the boundary layer at the sides is what is hardest to resolve."""
+BLUNT, STEEPER = 4.0, 300.0
+"""Power of a blunt indenter's `DryContact.exponent` over 2, and factor of a contact of steepness 1, by which the boundary
+layers at the sides are as hard to resolve as a paraboloid's on a half-space at a larger β."""
 STEEP_BETA = 3e2, 3e4
 """β′ from which on the steepness counts, and beyond which it counts in full."""
 THICK = 2.5
@@ -145,7 +148,12 @@ class Regime:
     @property
     def deep(self) -> bool:
         """Whether the boundary layers at the edge of the contact are narrow, so that the sides are hardest to resolve."""
-        return self.beta > DEEP_BETA and not self.over_gap
+        return self.layers_like > DEEP_BETA and not self.over_gap
+
+    @property
+    def layers_like(self) -> float:
+        """β of a paraboloid on a half-space whose boundary layers at the sides are as hard to resolve; see `BLUNT`."""
+        return self.beta * max(self.dry.exponent / 2, 1.0) ** BLUNT * STEEPER**self.steepness
 
     @property
     def thick(self) -> bool:
