@@ -29,9 +29,7 @@ def order(sizes, error):
 SMOOTH = ["film_center", "film_inlet", "load", "friction_domain"]
 
 
-@pytest.mark.parametrize(
-    ("direction", "sizes", "expected"), [("r", [24, 32, 43, 57], 4), ("theta", [12, 16, 20, 26], 6)]
-)
+@pytest.mark.parametrize(("direction", "sizes", "expected"), [("r", [24, 32, 43, 57], 4), ("theta", [12, 16, 20, 26], 6)])
 def test_smooth_solutions_converge_at_the_order_of_the_scheme(direction, sizes, expected):
     problem = Problem(beta=30.0, cavitation="none")
     if direction == "r":
