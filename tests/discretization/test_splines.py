@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline, RectBivariateSpline, RegularGridInterpolator
 
-from softlube.discretization.splines import Spline, Weights, bilinear, lowest, slope_matrix
+from softlube.discretization.splines import Spline, Weights, bilinear, lowest, polynomial_weights, slope_matrix
 
 X = np.sort(np.random.default_rng(0).random(12)) * 3
 Y = np.linspace(-1, 2, 9)
@@ -63,6 +63,22 @@ def test_the_lowest_point_of_a_line(seed):
     assert value == pytest.approx(sampled.min(), abs=1e-6)
     assert value <= sampled.min() + 1e-12
     assert value == pytest.approx(float(spline(place)), abs=1e-12)
+
+
+@pytest.mark.parametrize(("count", "derivative"), [(6, 0), (7, 1)])
+def test_a_polynomial_of_as_many_terms_as_nodes_is_met(count, derivative):
+    polynomial = np.polynomial.Polynomial(np.random.default_rng(3).normal(size=count))
+    x = np.concatenate([X, X[:-1] + np.diff(X) / 3, [X[0] - 0.1]])
+    found = polynomial_weights(X, x, derivative, count) @ polynomial(X)
+    assert found == pytest.approx(polynomial.deriv(derivative)(x), rel=1e-6, abs=1e-6)
+
+
+def test_values_in_between_do_not_jump_at_a_node():
+    """The six nodes change there: a slope taken from them would."""
+    before, after = (polynomial_weights(X, X[3:-3] * (1 + side * 1e-12), 0, 6) for side in (-1, 1))
+    assert before == pytest.approx(after, abs=1e-8)
+    before, after = (polynomial_weights(X, X[3:-3] * (1 + side * 1e-12), 1, 6) for side in (-1, 1))
+    assert np.max(np.abs(before - after)) > 1e-2
 
 
 def test_the_lowest_point_of_straight_lines_and_parabolas():

@@ -84,7 +84,7 @@ def _largest(f: Callable[[Places], Array], at: Places, mesh: Mesh) -> float:
     i, k = np.unravel_index(int(np.argmax(values)), values.shape)
     for _ in range(ROUNDS):
         xi, s = (
-            np.linspace(nodes[max(best - 1, 0)], nodes[min(best + 1, nodes.size - 1)], 17) if nodes.size > 1 else nodes
+            np.linspace(nodes[max(best - 1, 0)], nodes[min(best + 1, nodes.size - 1)], 17)
             for nodes, best in ((at.xi, i), (at.s, k))
         )
         at = mesh.places(xi, s)
@@ -317,7 +317,8 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
 def steepest_inlet(fields: Fields) -> float:
     """Largest pressure gradient on the inlet axis, Eq. (20).
 
-    It is of the sixth order: a cubic spline's slope would be of third between its nodes.
+    Slopes on the nodes and the polynomial through six of them are of sixth order and do not jump at a node.  A cubic spline's
+    slope would be of third order between its nodes.
     """
     mesh, chart = fields.mesh, fields.chart
     axis = np.concatenate([fields.pressure[mesh.centre :][::-1, -1], fields.pressure[:, 0]])
