@@ -107,6 +107,12 @@ def test_pdms_memory(tmp_path, monkeypatch):
     assert names["growth"] < 2
     assert names["by_liquid"] == pytest.approx(40**0.44, rel=0.15)
     assert names["share_little"] == pytest.approx(0.27, abs=0.01)
+    assert names["more"] == pytest.approx(0.227, abs=0.005)
+    # The published series at v/a, by the loss tangent (Greenwood & Tabor 1958).
+    radius, series = float(names["plain"]["contact_radius"]), names["elite"].terms
+    modulus = 1.196e6 + sum(3 * term.weight / (1 + radius / (1j * 1e-3 * term.time)) for term in series)  # weights are of G
+    rule = 3 / 16 * np.pi * modulus.imag / modulus.real * radius / 2e-3 * 0.1
+    assert float(names["found_elite"]["friction_hysteresis"]) == pytest.approx(rule, rel=0.1)
     for picture in ("moduli", "film", "stribeck"):
         assert (tmp_path / f"pdms_memory_{picture}.png").exists()
 
