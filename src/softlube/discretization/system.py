@@ -255,7 +255,7 @@ class ContactSystem:
         else:
             dry = dry_contact(self.substrate, 1.0, self.indenter)
             beta = max(dry.like_hertz(own), 1.0)
-            width = min(0.5, 1.5 * beta**-0.4) * min(1.0, 2 / dry.exponent)  # of the boundary layer
+            width = min(0.5, 1.5 * beta**-0.4)  # of the boundary layer
             lift = wanted = dry.edge_rise * beta**-0.6
             outside = profile / own * r**-3 * (1 - np.maximum(r, 1) ** -2) ** 4
             pressure = outside
