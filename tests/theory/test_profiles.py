@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 import softlube
 from softlube.model.dry import dry_contact, dry_contact_at
 from softlube.model.exact import HERTZ_PRESSURE
-from softlube.model.indenters import PowerShape, SphereShape
-from softlube.model.substrates import HalfSpaceKernel
+from softlube.model.indenters import Paraboloid, PowerShape, RoundedPunchShape, SphereShape
+from softlube.model.substrates import HalfSpaceKernel, LayerKernel
 from softlube.theory import limits, profiles
 
 HERTZ = dry_contact(HalfSpaceKernel(), 1.0)
@@ -38,6 +39,20 @@ def test_the_driven_part_in_closed_form():
     assert profiles._driven(HERTZ) == pytest.approx(-np.pi / 2 * HERTZ_PRESSURE, rel=1e-8)
     blunt = dry_contact(HalfSpaceKernel(), 2.0, BLUNT)
     assert abs(profiles._driven(blunt)) < 1e-7 * float(blunt.pressure(0.0))
+
+
+@pytest.mark.parametrize("substrate", [HalfSpaceKernel(), LayerKernel(0.7)])
+@pytest.mark.parametrize("shape", [Paraboloid(), SphereShape(0.09, 1.0), RoundedPunchShape(0.1, 1.0, 0.3, 0.12)])
+def test_what_the_dry_pressure_drives_is_its_transform_on_the_axis(substrate, shape):
+    """∫₀^a p′/r dr by a spline through the pressure, against the closed form."""
+    dry = dry_contact(substrate, 1.2, shape)
+    t = np.linspace(0, np.pi / 2, 801)
+    pressure = CubicSpline(t, dry.pressure(dry.radius * np.sin(t)), bc_type=((1, 0.0), "not-a-knot"))
+    node, weight = np.polynomial.legendre.leggauss(4)
+    place = (t[:-1, None] + np.diff(t)[:, None] * (node + 1) / 2).ravel()
+    share = (np.diff(t)[:, None] * weight / 2).ravel()
+    expected = share @ (pressure(place, 1) / np.sin(place)) / dry.radius
+    assert profiles._driven(dry) == pytest.approx(expected, rel=1e-5)
 
 
 def test_solved_films_tend_to_the_laws():

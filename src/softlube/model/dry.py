@@ -19,6 +19,7 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from numpy.polynomial import Chebyshev
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import ArrayLike, NDArray
 
@@ -32,8 +33,9 @@ Array = NDArray[np.floating]
 
 FEWEST_POINTS, MOST_POINTS = 24, 1500
 """Quadrature points at least; and at most: a layer that needs more is too thin for the grids of the lubricated contact, too."""
-TABLE = 240
-"""Places on each piece of a contact at which the transform of a shape is kept; good to 10⁻¹⁰."""
+DEGREE, ROUND_OFF = 240, 1e-13
+"""Degree of the polynomial that keeps the transform of a shape on each piece of a contact, and what of its coefficients is left
+out, over the largest.  Smooth shapes need 20 to 80; the degree is for the knots of a measured profile, 10⁻⁶ of the largest."""
 POINTS_PER_WAVE = 0.2
 """Quadrature points for each radian that the shortest wave of the remainder turns over the contact."""
 
@@ -211,24 +213,26 @@ class _Slope:
 
 @dataclass(frozen=True)
 class _Tabulated:
-    """A function that is dear to evaluate, by a cubic spline on each of some pieces; it may begin there like a root."""
+    """A function that is dear to evaluate, by a polynomial on each of some pieces; it may begin there like a root."""
 
     function: Callable[[Array], Array]
     edges: tuple[float, ...]
 
     @cached_property
-    def splines(self) -> list[Any]:
-        """The splines, made when they are first asked for: the search for a contact's radius asks for no pressure."""
-        from scipy.interpolate import CubicSpline
+    def polynomials(self) -> list[Chebyshev]:
+        """The polynomials, made when they are first asked for: the search for a contact's radius asks for no pressure."""
+        pieces = [Chebyshev.interpolate(self._along, DEGREE, [0, 1], args=piece) for piece in pairwise(self.edges)]
+        return [piece.trim(ROUND_OFF * np.max(np.abs(piece.coef))) for piece in pieces]
 
-        u = np.linspace(0, 1, TABLE)
-        return [CubicSpline(u, self.function(low + (high - low) * u**2)) for low, high in pairwise(self.edges)]
+    def _along(self, u: Array, low: float, high: float) -> Array:
+        """The function on a piece, over the root of the distance from its beginning."""
+        return self.function(low + (high - low) * u**2)
 
     def __call__(self, x: Array) -> Array:
         found = np.zeros(np.shape(x))
-        piece = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.splines) - 1)
-        for k, (spline, (low, high)) in enumerate(zip(self.splines, pairwise(self.edges), strict=True)):
-            found[piece == k] = spline(np.sqrt(np.maximum(np.asarray(x)[piece == k] - low, 0) / (high - low)))
+        piece = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.polynomials) - 1)
+        for k, (polynomial, (low, high)) in enumerate(zip(self.polynomials, pairwise(self.edges), strict=True)):
+            found[piece == k] = polynomial(np.sqrt(np.maximum(np.asarray(x)[piece == k] - low, 0) / (high - low)))
         return found
 
 

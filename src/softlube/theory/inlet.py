@@ -31,9 +31,7 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import BarycentricInterpolator
 from scipy.linalg import solve_triangular
-from scipy.optimize import minimize_scalar
 from scipy.special import sici
 
 from softlube.theory.power_law import PowerLawFlow
@@ -133,6 +131,8 @@ class Similarity:
 
 def _interpolate(x: Array, values: Array, at: float) -> float:
     """Polynomial of degree 13 through the nearest nodes."""
+    from scipy.interpolate import BarycentricInterpolator  # slow to import, and the constants of a half-space are kept
+
     first = int(np.clip(np.searchsorted(x, at) - 7, 0, x.size - 14))
     window = slice(first, first + 14)
     return float(BarycentricInterpolator(x[window], values[window])(at))
@@ -140,6 +140,8 @@ def _interpolate(x: Array, values: Array, at: float) -> float:
 
 def _minimum(t: Array, values: Array) -> tuple[float, float]:
     """Place and value of the minimum."""
+    from scipy.optimize import minimize_scalar  # likewise
+
     i = int(np.argmin(values))
     found = minimize_scalar(
         lambda at: _interpolate(t, values, at), bounds=(t[i - 1], t[i + 1]), method="bounded", options={"xatol": 1e-9}
