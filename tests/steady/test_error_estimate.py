@@ -55,6 +55,13 @@ def test_a_random_error_is_not_taken_for_a_smooth_one():
     )
 
 
+def test_on_the_outlet_axis_more_of_the_coarsest_change_belongs_to_the_boundary():
+    """The film there has hardly a smooth part: where the last change is small by chance, 0.8 of the other is the boundary's."""
+    far = (27 / 11) ** 2
+    errors = [error_of([1.1, 1.0, 1.0], ANGLES, AT_THE_BOUNDARY[name]) for name in ("film_outlet_min", "shear_rate_max")]
+    assert errors == pytest.approx([SAFETY * share * 0.1 / (far - 1) for share in (0.8, 0.5)])
+
+
 def test_errors_of_two_orders_do_not_cancel():
     """Parts of both orders with one sign are known, too; with two signs each counts."""
     smooth, rough = (np.array([n**-order for n in ANGLES]) for order in (4, 2))
