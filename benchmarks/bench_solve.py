@@ -76,7 +76,7 @@ def cost(beta: float) -> tuple[list[tuple[int, float, float]], float, float]:
     from softlube.discretization.system import ContactSystem, forget_operators
     from softlube.model.problem import Problem
     from softlube.solvers.newton import newton
-    from softlube.steady.ladder import LADDER
+    from softlube.steady.ladder import ladder_of
     from softlube.steady.level import prolong
     from softlube.steady.mesh import grid_for
     from softlube.steady.regime import Regime
@@ -84,7 +84,7 @@ def cost(beta: float) -> tuple[list[tuple[int, float, float]], float, float]:
     problem, rows, x, coarse = Problem(beta=beta), [], None, None
     regime = Regime.of(problem)
     forget_operators()
-    for n_theta in LADDER[:-1]:
+    for n_theta in ladder_of(regime)[:-1]:
         grid = grid_for(regime, n_theta)
         began = time.process_time()
         system = ContactSystem(problem, grid, regime.unit)

@@ -29,7 +29,7 @@ from softlube.model.liquids.roelands import ROELANDS_PRESSURE, ROELANDS_VISCOSIT
 from softlube.model.quantities import QUANTITIES
 from softlube.physical.inputs import BODIES
 from softlube.steady.error_estimate import looser, yardstick
-from softlube.steady.ladder import LADDER
+from softlube.steady.ladder import ladder_of
 from softlube.steady.mesh import angles_for
 from softlube.steady.regime import Regime
 
@@ -244,7 +244,7 @@ def beside_finer_grids(problem: softlube.Problem, solution: softlube.Solution) -
     """What lies outside twice its error, in words; and how many values there are, and lie within their error."""
     seen: Counter[str] = Counter()
     regime = Regime.of(problem)
-    angles = next(each for each in LADDER if angles_for(regime, each) == solution.levels[-1].n_theta)
+    angles = next(each for each in ladder_of(regime) if angles_for(regime, each) == solution.levels[-1].n_theta)
     if any("borne beyond the mesh" in each for each in solution.warnings):
         return "", Counter(["not compared: warned that a power law's far field bears a share of the load"])
     if angles > MOST_ANGLES:

@@ -56,6 +56,11 @@ LARGEST_ACCURACY = 0.1
 """Largest relative error that can be asked for."""
 
 
+def ladder_of(regime: Regime) -> tuple[int, ...]:
+    """Angular intervals of a contact's grids on a half-space, see `softlube.steady.mesh.angles_for`."""
+    return LADDER_DEEP if regime.layers_like > COARSE_BETA else LADDER
+
+
 def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:
     """Solve on ever finer grids, each starting from the one before.
 
@@ -69,7 +74,7 @@ def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:
     """
     before: Solved | None = None
     refinements = refinements_for(regime)
-    ladder = LADDER_DEEP if regime.layers_like > COARSE_BETA else LADDER
+    ladder = ladder_of(regime)
     fewest = max(GRIDS, 1 + sum(each < REFINED_ANGLES for each in ladder)) if refinements else GRIDS
     for number, n_theta in enumerate(ladder, 1):
         adjustments = [partial(each.adjust, before=before) for each in refinements]
