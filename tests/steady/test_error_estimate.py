@@ -15,6 +15,7 @@ from softlube.steady.error_estimate import (
     SAFETY,
     SCHEME_ORDER,
     Convergence,
+    convergence_of,
     error_of,
     estimate_errors,
     looser,
@@ -60,6 +61,15 @@ def test_on_the_outlet_axis_more_of_the_coarsest_change_belongs_to_the_boundary(
     far = (27 / 11) ** 2
     errors = [error_of([1.1, 1.0, 1.0], ANGLES, AT_THE_BOUNDARY[name]) for name in ("film_outlet_min", "shear_rate_max")]
     assert errors == pytest.approx([SAFETY * share * 0.1 / (far - 1) for share in (0.8, 0.5)])
+
+
+@pytest.mark.parametrize("cavitation", ["reynolds", "none"])
+def test_the_extrema_of_the_thinnest_layer_are_read_as_of_first_order(cavitation):
+    usual, narrow = (convergence_of(Regime.of(Problem(beta=beta, cavitation=cavitation))) for beta in (1e4, 1e7))
+    assert [narrow[name].order for name in ("film_min", "shear_rate_max")] == [1, 1]
+    assert not narrow["shear_rate_max"].smooth
+    assert narrow.keys() - usual.keys() <= {"shear_rate_max"}
+    assert usual["film_min"].order == 2
 
 
 def test_errors_of_two_orders_do_not_cancel():

@@ -64,6 +64,8 @@ place of the inlet lies between nodes, and its place within its cell leaves erro
 AT_THE_BOUNDARY = {"film_outlet_min": Convergence(order=2, jumps=0.8), "shear_rate_max": BY_CHANCE}
 """The extrema where the liquid leaves the contact, at the free boundary under the Reynolds condition: its place within a cell
 decides their errors, and on the outlet axis nothing else does."""
+IN_THE_THINNEST_LAYER = dict.fromkeys(LOOSER_DEEP, Convergence(order=1))
+"""The extrema beyond `COARSE_BETA`: too few angles for second order."""
 CANCELLING = dict.fromkeys(FRICTIONS, Convergence(order=2, smooth=True, least=1e-6))
 """Errors of the frictions along r and along θ have opposite signs in narrow boundary layers, 5·10⁻⁶ each at β = 3·10⁷ on 39
 angles.  What is left of both is not told below a fifth of that, for grids are nested to whole rings only."""
@@ -81,7 +83,8 @@ def scheme_order(regime: Regime) -> float:
 
 def convergence_of(regime: Regime) -> dict[str, Convergence]:
     """How the quantities of a contact converge; those that are not named as `SMOOTH`."""
-    return PLACES | CANCELLING | EXTREMA | ({} if regime.suction else AT_THE_BOUNDARY)
+    named = PLACES | CANCELLING | EXTREMA | ({} if regime.suction else AT_THE_BOUNDARY)
+    return named | IN_THE_THINNEST_LAYER if regime.beta > COARSE_BETA else named
 
 
 def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence = SMOOTH, smooth: float = SCHEME_ORDER) -> float:
