@@ -58,9 +58,10 @@ PLACES = dict.fromkeys((name for name, row in QUANTITIES.items() if row.place), 
 """Where an extremum lies, which is flat there: a place is found an order worse than the value."""
 BY_CHANCE = Convergence(order=2)
 """Where two changes may agree by chance."""
-EXTREMA = {"film_min": BY_CHANCE, "pressure_gradient_inlet": BY_CHANCE}
-"""The minimum at the sides is so narrow in angle that coarse grids do not see it, and their errors change sign; the steepest
-place of the inlet lies between nodes, and its place within its cell leaves errors of 2·10⁻⁵."""
+AT_THE_SIDES = {"film_min": BY_CHANCE}
+"""The film at the sides: coarse grids do not see how narrow its minimum is in angle, and their errors change sign."""
+BETWEEN_NODES = {"pressure_gradient_inlet": Convergence(order=2, smooth=True, least=2e-5)}
+"""The steepest place of the inlet lies between nodes: where in its cell leaves errors of 2·10⁻⁵, and grids agree by chance."""
 AT_THE_BOUNDARY = {"film_outlet_min": Convergence(order=2, jumps=0.8), "shear_rate_max": BY_CHANCE}
 """The extrema where the liquid leaves the contact, at the free boundary under the Reynolds condition: its place within a cell
 decides their errors, and on the outlet axis nothing else does."""
@@ -83,7 +84,7 @@ def scheme_order(regime: Regime) -> float:
 
 def convergence_of(regime: Regime) -> dict[str, Convergence]:
     """How the quantities of a contact converge; those that are not named as `SMOOTH`."""
-    named = PLACES | CANCELLING | EXTREMA | ({} if regime.suction else AT_THE_BOUNDARY)
+    named = PLACES | CANCELLING | AT_THE_SIDES | BETWEEN_NODES | ({} if regime.suction else AT_THE_BOUNDARY)
     return named | IN_THE_THINNEST_LAYER if regime.beta > COARSE_BETA else named
 
 

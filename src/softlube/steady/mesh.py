@@ -11,6 +11,8 @@ import numpy as np
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import WIDE, PolarGrid
 from softlube.model.dry import PARABOLOID, dry_contact
+from softlube.model.exact import HERTZ_LOAD
+from softlube.model.film_section import viscosity_at
 from softlube.model.indenters import Shape
 from softlube.model.substrates import HalfSpaceKernel
 from softlube.steady.regime import Regime
@@ -55,6 +57,13 @@ REACH, FARTHEST = 20.0, 60.0
 RIMS, FAR_EXPONENT = REACH * 2.0 ** np.arange(-4, 7, 0.25), 1.98
 """Radii of the rim under other indenters, in steps, so that neighbouring contacts share a grid; and the least exponent r f′/f
 there: the far field's load, ∝ ∫ r⁻³ dr of a paraboloid, diverges under a cone."""
+FAR_LOAD, FAR_STRESS, FAR_POWER = 1.7, 1.7, 0.1
+"""Load beyond a radius r over η/(βr), by the far field's profile under the Reynolds condition; wall stress there over that of
+the walls' mean speed, with the sliding; and ln r over which the power is taken with which the viscosity of a liquid that
+thins goes there."""
+FAR_DOUBT, FARTHER = 1e-4, 2.0 ** np.arange(6)
+"""Share of a load up to which the mesh may leave it to the far field, times that power; and factors of the rim's radius, of
+which the first is taken where none does, as under a power law, whose load depends on where the liquid ends."""
 CORE, BENDS = 0.7, np.linspace(0, 0.8, 61)
 """Width of the mesh's zone about the centre over the length on which an indenter's dry pressure bends, and the radii over the
 contact's at which that is looked for."""
@@ -95,13 +104,14 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     if regime.thinning > THINS and not regime.over_gap:
         width, crowding = THINNING_SIDES * width, crowding + THINNING_CROWDING
     reach, core = _extent(regime.problem.indenter, float(np.sqrt(regime.unit)))
+    reach = _farther(regime, max(reach, FARTHEST) if regime.over_gap else reach)
     grid = PolarGrid(
         n_r=8,
         n_theta=n_theta,
         edge_width=0.5 if regime.over_gap else float(min(0.4 * 2.0**octave, 0.25 * blunt)),
         side_width=width,
         side_clustering=crowding,
-        reach=max(reach, FARTHEST) if regime.over_gap else reach,
+        reach=reach,
         edge=edge,
         core=core,
     )
@@ -139,6 +149,21 @@ def _extent(indenter: Shape, edge: float) -> tuple[float, float]:
     bend = np.diff(rest, 2) / BENDS[1] ** 2 / smooth[1:-1]
     core = CORE / max(np.sqrt(np.max(np.abs(bend))), CORE / WIDE)
     return float(RIMS[np.argmax(far)] if far.any() else RIMS[-1]), float(2.0 ** (np.round(2 * np.log2(core)) / 2))
+
+
+def _farther(regime: Regime, reach: float) -> float:
+    """The rim's radius where a liquid thins: farther out, where it is hardly sheared, it is thicker and bears more of the load.
+
+    The far field beyond the rim has the profile of a constant viscosity.
+    """
+    problem = regime.problem
+    if not (problem.liquid.thins and problem.load_controlled and not regime.suction):
+        return reach
+    r = reach * FARTHER * np.sqrt(regime.unit)
+    rate = 2 * FAR_STRESS / (problem.parameter * r**2)
+    here, beyond = (viscosity_at(problem.liquid, rate / step) for step in (1.0, np.exp(2 * FAR_POWER)))
+    doubt = np.log(beyond / here) / FAR_POWER * FAR_LOAD * here / (problem.parameter * r) / HERTZ_LOAD
+    return reach * float(FARTHER[np.argmax(doubt < FAR_DOUBT)])
 
 
 def with_trail(grid: PolarGrid, fields: Fields, unit: float) -> PolarGrid:
