@@ -112,7 +112,7 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
 
     Where that place is all that counts, or where coarse grids do not see a narrow minimum, a and b may agree by chance.  Then
     all is read as of second order, a as of the quantity's own, and the largest is taken: a, what it differs from b by, and
-    half of b, which has a smooth part, too; on the outlet axis all of b.
+    half of b, which has a smooth part, too, or four fifths on the outlet axis, where that part is small.
     """
     coarsest, middle = (value - values[-1] for value in values[-GRIDS:-1])
     far, near = (angles[-1] / n for n in angles[-GRIDS:-1])

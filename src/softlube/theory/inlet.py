@@ -131,7 +131,7 @@ class Similarity:
 
 def _interpolate(x: Array, values: Array, at: float) -> float:
     """Polynomial of degree 13 through the nearest nodes."""
-    from scipy.interpolate import BarycentricInterpolator  # slow to import, and the constants of a half-space are kept
+    from scipy.interpolate import BarycentricInterpolator  # slow to import, and the film inside does without
 
     first = int(np.clip(np.searchsorted(x, at) - 7, 0, x.size - 14))
     window = slice(first, first + 14)
