@@ -10,6 +10,7 @@ import numpy as np
 
 from softlube.discretization.fields import Fields
 from softlube.discretization.grid import WIDE, PolarGrid
+from softlube.discretization.system import FAR_STRESS
 from softlube.model.dry import PARABOLOID, dry_contact
 from softlube.model.exact import HERTZ_LOAD
 from softlube.model.film_section import viscosity_at
@@ -57,10 +58,9 @@ REACH, FARTHEST = 20.0, 60.0
 RIMS, FAR_EXPONENT = REACH * 2.0 ** np.arange(-4, 7, 0.25), 1.98
 """Radii of the rim under other indenters, in steps, so that neighbouring contacts share a grid; and the least exponent r f′/f
 there: the far field's load, ∝ ∫ r⁻³ dr of a paraboloid, diverges under a cone."""
-FAR_LOAD, FAR_STRESS, FAR_POWER = 1.7, 1.7, 0.1
-"""Load beyond a radius r over η/(βr), by the far field's profile under the Reynolds condition; wall stress there over that of
-the walls' mean speed, with the sliding; and ln r over which the power is taken with which the viscosity of a liquid that
-thins goes there."""
+BORNE_BEYOND, FAR_POWER = 1.7, 0.1
+"""Load beyond a radius r over η/(βr), by the far field's profile under the Reynolds condition; and ln r over which the power is
+taken with which the viscosity of a liquid that thins goes there."""
 FAR_DOUBT, FARTHER = 1e-4, 2.0 ** np.arange(6)
 """Share of a load up to which the mesh may leave it to the far field, times that power; and factors of the rim's radius, of
 which the first is taken where none does, as under a power law, whose load depends on where the liquid ends."""
@@ -160,9 +160,9 @@ def _farther(regime: Regime, reach: float) -> float:
     if not (problem.liquid.thins and problem.load_controlled and not regime.suction):
         return reach
     r = reach * FARTHER * np.sqrt(regime.unit)
-    rate = 2 * FAR_STRESS / (problem.parameter * r**2)
+    rate = 2 * np.hypot(problem.slide_to_roll / 2, FAR_STRESS) / (problem.parameter * r**2)
     here, beyond = (viscosity_at(problem.liquid, rate / step) for step in (1.0, np.exp(2 * FAR_POWER)))
-    doubt = np.log(beyond / here) / FAR_POWER * FAR_LOAD * here / (problem.parameter * r) / HERTZ_LOAD
+    doubt = np.log(beyond / here) / FAR_POWER * BORNE_BEYOND * here / (problem.parameter * r) / HERTZ_LOAD
     return reach * float(FARTHER[np.argmax(doubt < FAR_DOUBT)])
 
 
