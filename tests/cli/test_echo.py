@@ -53,6 +53,7 @@ def test_solve(capsys, fast):
     assert capsys.readouterr().out.startswith("Input: beta 100.\n")
 
 
+@pytest.mark.slow
 def test_flow_and_curve(capsys, tmp_path):
     solution, picture = str(tmp_path / "a.nc"), ["--plot", str(tmp_path / "a.png")]
     assert main(["solve", *SLIDES, "--accuracy", "0.01", "--output", solution]) == 0

@@ -62,6 +62,7 @@ def test_fit_viscosity(tmp_path, monkeypatch):
     assert (tmp_path / "fit_viscosity.png").exists()
 
 
+@pytest.mark.slow
 def test_hyaluronic_acid(tmp_path, monkeypatch):
     names = run("hyaluronic_acid", tmp_path, monkeypatch, doubt="the liquid thins with shear")
     assert names["fit"].model.candidate.kind == "carreau-yasuda"  # what the data were made with
@@ -96,6 +97,7 @@ def thickness_in_units(names):
     return 0.3e-3 / float(contact["contact_radius"])
 
 
+@pytest.mark.slow
 def test_pdms_memory(tmp_path, monkeypatch):
     names = run("pdms_memory", tmp_path, monkeypatch)
     assert [term.time for term in names["fit"].terms] == pytest.approx([1e-3, 1e-2, 0.1, 1, 10], rel=0.1)  # the data's own
@@ -125,6 +127,7 @@ def test_squeeze_dimple(tmp_path, monkeypatch):
     assert (tmp_path / "squeeze_dimple.png").exists()
 
 
+@pytest.mark.slow
 def test_killed_sweep(tmp_path, monkeypatch, capfd):
     names = run("killed_sweep", tmp_path, monkeypatch)
     assert 10 <= names["kept"] < 36

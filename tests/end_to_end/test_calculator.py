@@ -191,8 +191,9 @@ def test_on_a_telephone_the_numbers_stay_in_view(open_page):
 # --- speed, width, accessibility --------------------------------------------------------------------------------------
 
 
+@pytest.mark.timing
 def test_first_paint(open_page):
-    """The fastest of five: other tests run beside it."""
+    """The fastest of five."""
     paints = []
     for _ in range(5):
         page = open_page()
@@ -201,6 +202,7 @@ def test_first_paint(open_page):
     assert min(paints) < FIRST_PAINT
 
 
+@pytest.mark.timing
 def test_slider_to_redraw(open_page):
     """From the event until the frame that shows it is painted: the median of 15 moves, in the best of five rounds."""
     page = open_page()

@@ -125,9 +125,9 @@ BY_PAGE = """cases => cases.map(given => {
 })"""
 
 
-def test_three_hundred_random_inputs_give_the_numbers_of_fast(open_page, capsys):
+def test_a_hundred_random_inputs_give_the_numbers_of_fast(open_page, capsys):
     rng = random.Random(20)
-    cases = [random_inputs(rng) for _ in range(300)]
+    cases = [random_inputs(rng) for _ in range(100)]
     results = open_page().evaluate(BY_PAGE, cases)
     worst, solved, warned, outside = 0.0, 0, 0, 0
     for given, ours in zip(cases, results, strict=True):
@@ -152,9 +152,9 @@ def test_three_hundred_random_inputs_give_the_numbers_of_fast(open_page, capsys)
                     miss = abs(ours[part][name][what] - quantity[what])
                     worst = max(worst, miss / ((abs(quantity[what]) + size) or 1))
     assert worst < AGREEMENT
-    assert solved > 150
-    assert warned > 30
-    assert outside > 30
+    assert solved > 50
+    assert warned > 5
+    assert outside > 10
 
 
 def test_texts_are_read_or_refused_in_the_same_words(open_page):

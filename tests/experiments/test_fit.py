@@ -26,6 +26,7 @@ def test_without_noise_the_parameters_come_back(clean):
     assert both.values["young_modulus"] == pytest.approx(3e6, rel=3e-3)
 
 
+@pytest.mark.slow
 def test_the_interval_covers_the_truth_in_95_of_100(clean):
     """72 points, 5 % noise: at least 90 of 100 intervals hold the true viscosity."""
     found = [fit(noisy(clean, seed), **KNOWN, compare=False).estimates["viscosity"] for seed in range(100)]
@@ -34,6 +35,7 @@ def test_the_interval_covers_the_truth_in_95_of_100(clean):
     assert 0.03 < np.median([(e.high - e.low) / e.value for e in found]) < 0.08
 
 
+@pytest.mark.slow
 def test_viscosity_and_modulus_together_are_tied_and_said_to_be(clean):
     covered = {"viscosity": 0, "young_modulus": 0}
     truth = {"viscosity": VISCOSITY, "young_modulus": 3e6}
@@ -53,6 +55,7 @@ def test_viscosity_and_modulus_together_are_tied_and_said_to_be(clean):
     assert any(text.startswith("The data determine viscosity") for text in one.verdicts)
 
 
+@pytest.mark.slow
 def test_the_correlation_is_that_of_repeated_experiments(clean):
     """The correlation stated from one data set, against the scatter of the fits to many."""
     fits = [fit(noisy(clean, seed, 0.01), **KNOWN, free=("viscosity", "modulus"), compare=False) for seed in range(40)]
@@ -79,6 +82,7 @@ def test_an_offset_is_found(clean):
     assert found.trend[1] > 0.01
 
 
+@pytest.mark.slow
 def test_outliers_hardly_count_in_a_robust_fit(clean):
     data = noisy(clean, 2, 0.03)
     friction = data.friction.copy()

@@ -35,6 +35,7 @@ def test_the_profile_of_a_linear_model_is_student_s_interval(clean):
     assert estimate.high == pytest.approx(differences.mean() + half, abs=1e-2 * half)
 
 
+@pytest.mark.slow
 def test_the_bootstrap_agrees_with_the_profile(clean):
     data = noisy(clean, 11)
     profile, bootstrap = (

@@ -37,6 +37,7 @@ def test_a_few_loads_have_their_own_curves():
     assert family.friction(0.1, 200.0) != pytest.approx(float(family.friction(0.02, 200.0)), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_between_many_loads():
     """Ten loads share fewer curves, and the friction of one that has none is that of its own."""
     loads = np.geomspace(0.02, 0.2, 10)

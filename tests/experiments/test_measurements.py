@@ -108,6 +108,7 @@ def test_missing_cells_and_repeated_rows_are_left_out_and_told(tmp_path):
     )
 
 
+@pytest.mark.slow
 def test_a_million_rows(tmp_path):
     load = np.linspace(10, 200, 1_000_000)
     path = tmp_path / "data.csv"

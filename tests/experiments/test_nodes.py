@@ -135,6 +135,7 @@ def kill_and_finish(cache, kills, delay):
     return printed, before
 
 
+@pytest.mark.slow
 def test_kills_lose_nothing(cache, monkeypatch, tmp_path):
     """Killed as soon as it has kept another contact; then the curve is what it is without any kill."""
 

@@ -46,6 +46,7 @@ def test_the_law_is_chosen_through_scatter():
         assert chosen.count(words) >= 5, chosen
 
 
+@pytest.mark.slow
 def test_intervals_hold_the_parameters():
     """Of 60 flow curves with 3 % scatter 95 % intervals hold each of the true values in at least 90 %."""
     held = dict.fromkeys(CARREAU, 0)

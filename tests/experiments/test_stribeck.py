@@ -169,6 +169,7 @@ def test_two_plateaus_over_four_decades_of_speed():
             assert np.all(sign * (table[column] - plateau[column]) > 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slide_to_roll", [2.0, 0.0])
 def test_a_substrate_that_remembers_passes_as_fast_as_the_contact(slide_to_roll):
     """Each row is the contact solved at its speed, whose Deborah number is its own; the parts add."""

@@ -60,7 +60,14 @@ def over_disc(density, cutoff):
     return 2 * (across * r) @ density(*np.meshgrid(r, theta, indexing="ij")) @ along
 
 
-@pytest.mark.parametrize(("share", "length", "beta"), [(0.5, 1.0, 300.0), (0.9, 0.3, 100.0), (0.5, 50.0, 1000.0)])
+@pytest.mark.parametrize(
+    ("share", "length", "beta"),
+    [
+        (0.5, 1.0, 300.0),
+        pytest.param(0.9, 0.3, 100.0, marks=pytest.mark.slow),
+        pytest.param(0.5, 50.0, 1000.0, marks=pytest.mark.slow),
+    ],
+)
 def test_maps_sum_up_to_the_frictions(share, length, beta):
     solution = remembering(beta, length, share)
     rim = float(solution.fields.r[-1]) * (1 - 1e-9)
@@ -71,6 +78,7 @@ def test_maps_sum_up_to_the_frictions(share, length, beta):
         assert lost == pytest.approx(energy_balance(solution).film, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_a_liquid_that_thins_loses_what_its_walls_and_its_pressure_put_in():
     """The shear on the substrate, and what the pressure drives in through the edge, in the frame of the sphere."""
     solution, cutoff = softlube.solve(beta=300.0, liquid=CarreauYasudaLaw(NewtonianLaw(), 3.0, 0.6, 0.1)), 6.0

@@ -103,6 +103,7 @@ def test_settles_at_the_direct_solution(problem):
 THIN = Problem(beta=30.0, substrate=LayerKernel(0.2))
 
 
+@pytest.mark.slow
 def test_where_newtons_method_goes_astray():
     """A layer a ninth of the contact's radius thick."""
     regime = Regime.of(THIN)

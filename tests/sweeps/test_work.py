@@ -131,6 +131,7 @@ print(result.n_found, result.n_foreign)
 """
 
 
+@pytest.mark.slow
 def test_a_store_of_squeeze_films_outlives_changes_elsewhere(tmp_path):
     """Pictures and the mesh about a spike changed: nothing is solved again.  The squeeze film's own code changed: all is."""
     copied = tmp_path / "src" / "softlube"

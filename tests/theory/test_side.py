@@ -19,6 +19,7 @@ def long_march():
     return side_film("reynolds", SideMesh(step=0.15, length=0.2, start=30.0, end=30.0, n_times=400))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cavitation", ["reynolds", "none"])
 def test_constants_kept_in_limits(cavitation):
     """The default mesh alone leaves 2e-5, nearly all of it from the time steps, which are of second order."""

@@ -18,6 +18,7 @@ def test_a_sweep_over_the_shape_of_a_sphere():
         assert table["film_center [m]"][row] == pytest.approx(float(single.dimensional["film_center"]), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_a_stribeck_curve_and_a_fit_to_it(tmp_path):
     contact = softlube.Contact(indenter=BLUNT, speed="0.1 mm/s", **REST)
     curve = softlube.stribeck_curve(contact, points=7, slowest=5e-5, fastest=5e-4)

@@ -35,8 +35,14 @@ def code_version(patterns: tuple[str, ...]) -> str:
     folder = package_folder()
     digest = hashlib.sha256()
     for path in sorted({path for pattern in patterns for path in folder.glob(pattern)}):
-        digest.update(repr((path.relative_to(folder).as_posix(), _meaning(ast.parse(path.read_bytes())))).encode())
+        digest.update(repr((path.relative_to(folder).as_posix(), _digest(path.read_bytes()))).encode())
     return f"{version('softlube')}+{digest.hexdigest()[:12]}"
+
+
+@cache
+def _digest(source: bytes) -> str:
+    """Digest of what a module means; kept, for folders belong to several versions."""
+    return hashlib.sha256(repr(_meaning(ast.parse(source))).encode()).hexdigest()
 
 
 def _meaning(node: Any) -> Any:

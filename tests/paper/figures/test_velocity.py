@@ -16,6 +16,7 @@ def test_velocities_on_rings(drawn):
     assert columns["v_theta at r = 0.5 [v]"] == pytest.approx(-np.sin(theta) / 2, abs=0.05)
 
 
+@pytest.mark.slow
 def test_the_sphere_carries_the_shear_of_couette_in_the_middle(drawn, solution):
     """Where the pressure has no gradient both walls carry ηv/u."""
     shear = {name: np.asarray(values) for name, values in drawn("flow").tables[2].columns.items()}

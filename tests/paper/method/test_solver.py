@@ -32,6 +32,7 @@ def test_agrees_with_the_modern_solver_within_3_percent(march, exact):
         assert max(deviation(march[beta], exact[beta]).values()) < 0.03, beta
 
 
+@pytest.mark.slow
 def test_the_difference_shrinks_on_a_refined_mesh(march, exact):
     refined = solve_relaxation(Problem(beta=300), n_r=75, n_theta=45)
     coarse, fine = deviation(march[300], exact[300]), deviation(refined, exact[300])
