@@ -29,18 +29,18 @@ from softlube.steady.regime import Regime
 ANGLES = (11, 19, 27)
 
 
-@pytest.mark.parametrize("order", [2, 4])
-def test_an_error_of_one_order_is_known(order):
-    """Values that converge like h² or h⁴ to 1: the error is exact but for the factor."""
+@pytest.mark.parametrize("order", [2, 3, 4])
+def test_an_error_of_one_order_is_covered_and_not_by_much(order):
+    """Values that converge like h² to h⁴ to 1."""
     values = [1 + n**-order for n in ANGLES]
-    assert error_of(values, ANGLES) == pytest.approx(SAFETY * (values[-1] - 1))
+    assert 1 < error_of(values, ANGLES) / (values[-1] - 1) < 2
 
 
 def test_what_a_substrate_remembers_converges_more_slowly():
     """Changes of its own order are the error; read as of the fourth they would tell too little."""
     values = [1 + 1e-3 * (ANGLES[-1] / n) ** MEMORY_ORDER for n in ANGLES]
     error = error_of(values, ANGLES, smooth=MEMORY_ORDER)
-    assert error == pytest.approx(SAFETY * 1e-3)
+    assert SAFETY * 1e-3 < error < 2e-3
     assert scheme_order(Regime.of(Problem(beta=100.0))) == SCHEME_ORDER
     remembering = Problem(beta=100.0, substrate=ViscoelasticKernel((0.5,), (1.0,)))
     assert scheme_order(Regime.of(remembering)) == MEMORY_ORDER
@@ -73,26 +73,26 @@ def test_the_extrema_of_the_thinnest_layer_are_read_as_of_first_order(cavitation
 
 
 def test_errors_of_two_orders_do_not_cancel():
-    """Parts of both orders with one sign are known, too; with two signs each counts."""
+    """Parts of both orders with one sign are covered, too; with two signs each counts."""
     smooth, rough = (np.array([n**-order for n in ANGLES]) for order in (4, 2))
-    assert error_of(1 + smooth + rough, ANGLES) == pytest.approx(SAFETY * (smooth[-1] + rough[-1]))
+    assert 1 < error_of(1 + smooth + rough, ANGLES) / (smooth[-1] + rough[-1]) < 2
     error = error_of(1 + smooth - 0.1 * rough, ANGLES)
-    assert error > SAFETY * abs(smooth[-1] - 0.1 * rough[-1])
+    assert error > abs(smooth[-1] - 0.1 * rough[-1])
 
 
 def test_an_error_covers_changes_that_are_small_by_chance():
     """The last change vanishes, or the one over two grids, or parts of both orders cancel in the last."""
     far, near = ((27 / n) ** 2 for n in ANGLES[:2])
-    assert error_of([1.5, 1.0, 1.0], ANGLES) >= SAFETY * 0.25 / (far - 1)
-    assert error_of([1.0, 1.5, 1.0], ANGLES) >= SAFETY * 0.5 / (near - 1)
+    assert error_of([1.5, 1.0, 1.0], ANGLES) > 3 * SAFETY * 0.5 / (far**2 - 1)  # the reading of a smooth solution
+    assert error_of([1.0, 1.5, 1.0], ANGLES) > SAFETY * 0.5 / (near - 1)
     smooth, rough = 0.001 * np.array([far**2, near**2, 1.0]), 0.002 * np.array([0.0, -near, 1.0])
     assert error_of(1 + smooth + rough, ANGLES) > smooth[-1] + rough[-1]
 
 
 def test_an_error_is_bounded_where_readings_disagree_in_sign():
     """Such readings tell the size of an error and not more: how far the smaller one lies on the other side does not count."""
-    same_sign, other_sign = error_of([1.3, 1.1, 1.0], ANGLES), error_of([0.7, 1.1, 1.0], ANGLES)
-    assert same_sign < other_sign == error_of([0.9, 1.1, 1.0], ANGLES)
+    same_sign, other_sign = error_of([1.5, 1.1, 1.0], ANGLES), error_of([0.5, 1.1, 1.0], ANGLES)
+    assert same_sign < other_sign == error_of([0.6, 1.1, 1.0], ANGLES)
 
 
 def test_a_prescribed_quantity_has_no_error():

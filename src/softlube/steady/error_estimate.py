@@ -26,6 +26,9 @@ SCHEME_ORDER, MEMORY_ORDER = 4.0, 3.5
 """Power of the spacing with which smooth solutions converge, and with which they do on a substrate that remembers: what it
 remembers is taken along lines that cross the mesh at any angle.  On 17, 29 and 39 angles the displacement that a substrate
 remembers converges like the spacing to the power 3.2 to 3.6 where lengths are 0.03 to 0.3 of the radius, else faster."""
+SLOWER = 0.5
+"""Taken off that power for what the middle grid's change tells by itself: the free boundary has a larger share in it than in
+the coarsest grid's."""
 SAFETY = 1.35
 """Factor of the estimates, for at least 95 % of the errors of every quantity to lie below them (docs/notes/errors.md)."""
 
@@ -72,6 +75,11 @@ CANCELLING = dict.fromkeys(FRICTIONS, Convergence(order=2, smooth=True, least=1e
 angles.  What is left of both is not told below a fifth of that, for grids are nested to whole rings only."""
 
 
+REMEMBERED = dict.fromkeys(("friction_total", "friction_hysteresis"), Convergence(order=2, smooth=True, least=2e-5))
+"""Frictions that a substrate makes which remembers: where the lines along which it does cross the mesh leaves 2·10⁻⁵, and grids
+agree by chance."""
+
+
 def yardstick(name: str, values: Mapping[str, float]) -> float:
     """What the error of a quantity is compared with; see `softlube.model.quantities.Definition.compared_with`."""
     return QUANTITIES[name].size(values)
@@ -85,6 +93,8 @@ def scheme_order(regime: Regime) -> float:
 def convergence_of(regime: Regime) -> dict[str, Convergence]:
     """How the quantities of a contact converge; those that are not named as `SMOOTH`."""
     named = PLACES | CANCELLING | AT_THE_SIDES | BETWEEN_NODES | ({} if regime.suction else AT_THE_BOUNDARY)
+    if regime.problem.substrate.memory is not None:
+        named |= REMEMBERED
     return named | IN_THE_THINNEST_LAYER if regime.beta > COARSE_BETA else named
 
 
@@ -106,9 +116,10 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
     -----
     A change x(h) − x(1) from a grid with the spacing h, relative to the finest's, is read as if it were smooth:
     change/(h^q − 1), a from the middle grid and b from the coarsest.  Where the solution is smooth both agree and are the
-    error.  What they differ by belongs to the free boundary, which leaves an error of second order.  If nothing else were left,
-    a + k (a − b) would be the error, with the k below.  But its place within its cell is another one on every grid: the signs
-    tell nothing, and nothing beyond the larger reading does.  So with M = max(|a|, |b|) the error is M + k min(|a − b|, M).
+    error.  What they differ by belongs to the free boundary, which leaves an error of second order.  Its place within its cell
+    is another one on every grid: the signs tell nothing, and nothing beyond the larger reading does.  So the error is
+    M + k min(|a − b|, M), where M is the larger of |b| and of what the middle grid tells by itself, its change read as of the
+    power q − 1/2.  This k turns readings of the powers q − 1/2 and q into an error of second order.
 
     Where that place is all that counts, or where coarse grids do not see a narrow minimum, a and b may agree by chance.  Then
     all is read as of second order, a as of the quantity's own, and the largest is taken: a, what it differs from b by, and
@@ -121,8 +132,10 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
     # Over what second order would make of them.
     near_ratio, far_ratio = ((h**smooth - 1) / (h**2 - 1) for h in (near, far))
     if rate.smooth:
-        k = far_ratio * (near_ratio - 1) / (far_ratio - near_ratio)
-        return SAFETY * (max(a, b) + k * min(apart, max(a, b)))
+        slow = near ** (smooth - SLOWER) - 1
+        own, own_ratio = abs(middle) / slow, slow / (near**2 - 1)
+        k, largest = far_ratio * (own_ratio - 1) / (far_ratio - own_ratio), max(own, b)
+        return SAFETY * (largest + k * min(apart, largest))
     own = (near**smooth - 1) / (near**rate.order - 1)
     return SAFETY * max(own * a, near_ratio * apart, rate.jumps * far_ratio * b)
 
