@@ -46,6 +46,12 @@ def test_what_a_substrate_remembers_converges_more_slowly():
     assert scheme_order(Regime.of(remembering)) == MEMORY_ORDER
 
 
+def test_frictions_that_a_substrate_makes_have_a_least_error():
+    remembering = Problem(beta=100.0, substrate=ViscoelasticKernel((0.5,), (1.0,)))
+    least = [convergence_of(Regime.of(problem))["friction_total"].least for problem in (Problem(beta=100.0), remembering)]
+    assert least[0] < least[1] == 2e-5
+
+
 def test_a_random_error_is_not_taken_for_a_smooth_one():
     """Changes that happen to lie like those of h⁴ are the size of an error of second order at the boundary."""
     values = [1 + n**-4 for n in ANGLES]

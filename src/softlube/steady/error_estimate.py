@@ -76,8 +76,6 @@ angles.  What is left of both is not told below a fifth of that, for grids are n
 REMEMBERED = dict.fromkeys(("friction_total", "friction_hysteresis"), Convergence(order=2, smooth=True, least=2e-5))
 """Frictions that a substrate makes which remembers: where the lines along which it does cross the mesh leaves 2·10⁻⁵, and grids
 agree by chance."""
-ASKEW = {"shear_rate_max": Convergence(order=1)}
-"""On such a substrate the free boundary runs askew to the mesh."""
 
 
 def yardstick(name: str, values: Mapping[str, float]) -> float:
@@ -94,7 +92,7 @@ def convergence_of(regime: Regime) -> dict[str, Convergence]:
     """How the quantities of a contact converge; those that are not named as `SMOOTH`."""
     named = PLACES | CANCELLING | AT_THE_SIDES | BETWEEN_NODES | ({} if regime.suction else AT_THE_BOUNDARY)
     if regime.problem.substrate.memory is not None:
-        named |= REMEMBERED if regime.suction else REMEMBERED | ASKEW
+        named |= REMEMBERED
     return named | IN_THE_THINNEST_LAYER if regime.beta > COARSE_BETA else named
 
 
