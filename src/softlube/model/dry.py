@@ -332,7 +332,7 @@ def smeared_contact(
     # δ is about a², so the mean of the depths is about this much more than that of the mean radius.
     mean = float(np.mean((1 + spread) ** exponent))
     radius = dry_contact_at(substrate, indentation=indentation / mean, indenter=indenter).radius
-    table = np.linspace(0, 1, 201)
+    table = np.linspace(0, 1, 51)
     low, middle, high = (
         dry_contact(substrate, radius * (1 + part), indenter).smooth_part(table) for part in (-width, 0.0, width)
     )
