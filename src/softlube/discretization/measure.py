@@ -282,10 +282,8 @@ def measure(fields: Fields, edge: float = 1.0) -> dict[str, float]:
     outlet = _fine(xi_nodes, 0.0, float(chart.xi_of(domain)), 1)
     outlet_line = np.stack([fields.film_spline(outlet, OUTLET_AXIS, dx=d)[:, 0] for d in (0, 1)])
 
-    within = {
-        factor: integrate(fields, lambda at: _densities(fields, at), cutoff).tolist()
-        for factor, cutoff in ((CONTACT, contact), (DOMAIN, domain))
-    }
+    discs = integrals(fields, lambda at: _densities(fields, at), (contact, domain)).T.tolist()
+    within = dict(zip((CONTACT, DOMAIN), discs, strict=True))
     by_region = frictions(lambda cutoff: within[cutoff][1:])
     if fields.recovery is not None:
         hysteresis = hysteresis_friction(fields)
