@@ -50,7 +50,7 @@ TRAIL_THINNING = 2.8
 """Coefficient of the mesh's thinning beyond the contact where it has that zone, whose rings are wanted within the contact."""
 SHIFTED_EDGE = 0.1
 """Distance of the contact's edge at the inlet and the sides from the mesh's that is not worth a change."""
-BLUNT_STEP = 0.36
+BLUNT_STEP = 0.24
 """Power of 2 over a blunt indenter's `DryContact.exponent` that the radial step takes: at the edge of its contact the pressure
 bends more than a paraboloid's."""
 FACE_CROWDING, FACE_STEP = 0.9, 33 / 29
