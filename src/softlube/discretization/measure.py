@@ -155,6 +155,12 @@ def _quadrature(mesh: Mesh, cutoffs: tuple[float, ...]) -> tuple[Places, Array, 
     return at, across, along, np.searchsorted(xi, rims) - 1
 
 
+def least_film_on(fields: Fields, s: Array) -> Array:
+    """Least film on each of some rays, along the valley that the constriction is; s is their chart coordinate."""
+    xi = fields.mesh.xi
+    return lowest(xi, np.stack([fields.film_spline(xi, s, dx=d).T for d in (0, 1)]))[1]
+
+
 def load_within(fields: Fields, cutoff: float) -> float:
     """Load ∫p dA over r ≤ cutoff, Eq. (27b)."""
     return integrate(fields, lambda at: fields.pressure_on(at), cutoff)

@@ -6,7 +6,10 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from softlube.discretization.measure import FRICTIONS
+import numpy as np
+
+from softlube.discretization.fields import Fields
+from softlube.discretization.measure import FRICTIONS, least_film_on
 from softlube.model.quantities import QUANTITIES, REPORTED_ONLY
 from softlube.steady.regime import Regime
 
@@ -29,6 +32,9 @@ remembers converges like the spacing to the power 3.2 to 3.6 where lengths are 0
 SLOWER = 0.5
 """Taken off that power for what the middle grid's change tells by itself: the free boundary has a larger share in it than in
 the coarsest grid's."""
+VALLEY, VALLEY_REACH, VALLEY_SLOWER = ("film_min", "shear_rate_max"), 2, 0.75
+"""Quantities whose error is at least that of the film along its valley; how far the valley is looked at on each side of its
+lowest place, in intervals of the middle grid; and what is taken off the power for what it changes from there."""
 SAFETY = 1.35
 """Factor of the estimates, for at least 95 % of the errors of every quantity to lie below them (docs/notes/errors.md)."""
 
@@ -61,15 +67,11 @@ PLACES = dict.fromkeys((name for name, row in QUANTITIES.items() if row.place), 
 """Where an extremum lies, which is flat there: a place is found an order worse than the value."""
 BY_CHANCE = Convergence(order=2)
 """Where two changes may agree by chance."""
-AT_THE_SIDES = {"film_min": BY_CHANCE}
-"""The film at the sides: coarse grids do not see how narrow its minimum is in angle, and their errors change sign."""
-BETWEEN_NODES = {"pressure_gradient_inlet": Convergence(order=2, smooth=True, least=2e-5)}
-"""The steepest place of the inlet lies between nodes: where in its cell leaves errors of 2·10⁻⁵, and grids agree by chance."""
+BETWEEN_NODES = {"pressure_gradient_inlet": Convergence(order=2, smooth=True, least=4e-5)}
+"""The steepest place of the inlet lies between nodes: where in its cell leaves errors of 4·10⁻⁵, and grids agree by chance."""
 AT_THE_BOUNDARY = {"film_outlet_min": Convergence(order=2, jumps=0.8), "shear_rate_max": BY_CHANCE}
 """The extrema where the liquid leaves the contact, at the free boundary under the Reynolds condition: its place within a cell
 decides their errors, and on the outlet axis nothing else does."""
-IN_THE_THINNEST_LAYER = dict.fromkeys(LOOSER_DEEP, Convergence(order=1))
-"""The extrema beyond `COARSE_BETA`: too few angles for second order."""
 CANCELLING = dict.fromkeys(FRICTIONS, Convergence(order=2, smooth=True, least=1e-6))
 """Errors of the frictions along r and along θ have opposite signs in narrow boundary layers, 5·10⁻⁶ each at β = 3·10⁷ on 39
 angles.  What is left of both is not told below a fifth of that, for grids are nested to whole rings only."""
@@ -90,10 +92,8 @@ def scheme_order(regime: Regime) -> float:
 
 def convergence_of(regime: Regime) -> dict[str, Convergence]:
     """How the quantities of a contact converge; those that are not named as `SMOOTH`."""
-    named = PLACES | CANCELLING | AT_THE_SIDES | BETWEEN_NODES | ({} if regime.suction else AT_THE_BOUNDARY)
-    if regime.problem.substrate.memory is not None:
-        named |= REMEMBERED
-    return named | IN_THE_THINNEST_LAYER if regime.beta > COARSE_BETA else named
+    named = PLACES | CANCELLING | BETWEEN_NODES | ({} if regime.suction else AT_THE_BOUNDARY)
+    return named if regime.problem.substrate.memory is None else named | REMEMBERED
 
 
 def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence = SMOOTH, smooth: float = SCHEME_ORDER) -> float:
@@ -119,9 +119,9 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
     M + k min(|a − b|, M), where M is the larger of |b| and of what the middle grid tells by itself, its change read as of the
     power q − 1/2.  This k turns readings of the powers q − 1/2 and q into an error of second order.
 
-    Where that place is all that counts, or where coarse grids do not see a narrow minimum, a and b may agree by chance.  Then
-    all is read as of second order, a as of the quantity's own, and the largest is taken: a, what it differs from b by, and
-    half of b, which has a smooth part, too, or four fifths on the outlet axis, where that part is small.
+    Where that place is all that counts a and b may agree by chance.  Then all is read as of second order, a as of the
+    quantity's own, and the largest is taken: a, what it differs from b by, and half of b, which has a smooth part, too, or four
+    fifths on the outlet axis, where that part is small.
     """
     coarsest, middle = (value - values[-1] for value in values[-GRIDS:-1])
     far, near = (angles[-1] / n for n in angles[-GRIDS:-1])
@@ -138,12 +138,42 @@ def error_of(values: Sequence[float], angles: Sequence[int], rate: Convergence =
     return SAFETY * max(own * a, near_ratio * apart, rate.jumps * far_ratio * b)
 
 
+def valley_error(
+    fields: Sequence[Fields], values: Mapping[str, float], angles: Sequence[int], smooth: float = SCHEME_ORDER
+) -> float:
+    """Relative error of the film along its valley, near the finest grid's minimum.
+
+    Coarse grids do not see how narrow the minimum at the sides is in angle.  Their errors change sign there, and three values
+    may agree by chance, but a stretch of the valley does not.  Its largest change from the middle grid to the finest is read as
+    of an order less than that of smooth solutions.
+
+    Parameters
+    ----------
+    fields : sequence of Fields
+        On nested grids, coarse to fine.
+    values : mapping of str to float
+        Quantities on the finest grid.
+    angles : sequence of int
+        Angular intervals of the grids.
+    smooth : float
+        Power of the spacing with which a smooth solution converges, see `scheme_order`.
+    """
+    coarse, fine = fields[-2:]
+    near, interval = angles[-1] / angles[-2], np.pi / angles[-2]
+    lowest = float(fine.chart.s_of(np.radians(values["film_min_angle_deg"])))
+    s = np.clip(lowest + interval * np.linspace(-VALLEY_REACH, VALLEY_REACH, 4 * VALLEY_REACH + 1), 0.0, np.pi)
+    here = least_film_on(fine, s)
+    change = np.max(np.abs(least_film_on(coarse, s) - here)) / np.min(here)
+    return SAFETY * float(change) / (near ** (smooth - VALLEY_SLOWER) - 1)
+
+
 def estimate_errors(
     levels: Sequence[Mapping[str, float]],
     angles: Sequence[int],
     exact: str = "",
     convergence: Mapping[str, Convergence] | None = None,
     smooth: float = SCHEME_ORDER,
+    least: Mapping[str, float] | None = None,
 ) -> dict[str, float]:
     """Errors of the finest grid's quantities, from how they changed over the last three grids.
 
@@ -159,6 +189,8 @@ def estimate_errors(
         How some quantities converge; else as `SMOOTH`; see `convergence_of`.
     smooth : float
         Power of the spacing with which a smooth solution converges, see `scheme_order`.
+    least : mapping of str to float, optional
+        Relative errors that some quantities have at least, see `valley_error`.
 
     Returns
     -------
@@ -169,7 +201,8 @@ def estimate_errors(
     for name in levels[-1]:
         rate = (convergence or {}).get(name, SMOOTH)
         error = error_of([level[name] for level in levels], angles, rate, smooth)
-        estimates[name] = 0.0 if name == exact else max(error, rate.least * yardstick(name, levels[-1]))
+        known = max(rate.least, (least or {}).get(name, 0.0)) * yardstick(name, levels[-1])
+        estimates[name] = 0.0 if name == exact else max(error, known)
     return estimates
 
 

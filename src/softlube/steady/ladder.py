@@ -24,6 +24,7 @@ from softlube.solvers.progress import Listener, Progress
 from softlube.steady.error_estimate import (
     COARSE_BETA,
     GRIDS,
+    VALLEY,
     Convergence,
     convergence_of,
     estimate_errors,
@@ -31,6 +32,7 @@ from softlube.steady.error_estimate import (
     scheme_order,
     too_uncertain,
     unresolved,
+    valley_error,
 )
 from softlube.steady.level import STEEP_STEPS, Level, Solved, solve_level
 from softlube.steady.mesh import angles_for, grid_for, has_face
@@ -120,7 +122,12 @@ class Estimate:
 
     @classmethod
     def of(
-        cls, regime: Regime, fields: Fields, levels: Sequence[Mapping[str, float]], angles: Sequence[int], exact: str
+        cls,
+        regime: Regime,
+        fields: Sequence[Fields],
+        levels: Sequence[Mapping[str, float]],
+        angles: Sequence[int],
+        exact: str,
     ) -> Estimate:
         """Estimate the errors of the last of some levels.
 
@@ -128,8 +135,8 @@ class Estimate:
         ----------
         regime : Regime
             The contact.
-        fields : Fields
-            Solution on the finest grid.
+        fields : sequence of Fields
+            Solutions on the grids, coarse to fine.
         levels : sequence of mapping
             Quantities on the grids, coarse to fine; at least `softlube.steady.error_estimate.GRIDS`.
         angles : sequence of int
@@ -139,19 +146,18 @@ class Estimate:
         """
         determined: dict[str, Convergence] = {}
         for refinement in refinements_for(regime):
-            determined |= refinement.determines(fields, levels[-1])
-        return cls(
-            levels[-1],
-            estimate_errors(levels, angles, exact, convergence_of(regime) | determined, scheme_order(regime)),
-            determined,
-        )
+            determined |= refinement.determines(fields[-1], levels[-1])
+        smooth, rates = scheme_order(regime), convergence_of(regime) | determined
+        least = dict.fromkeys(VALLEY, valley_error(fields, levels[-1], angles, smooth))
+        return cls(levels[-1], estimate_errors(levels, angles, exact, rates, smooth, least), determined)
 
     @classmethod
     def from_grids(cls, regime: Regime, solved: Sequence[Solved]) -> Estimate:
         """Estimate the errors of the finest of some solved grids."""
         exact = "load" if regime.problem.load_controlled else "height"
         levels = [each.level for each in solved]
-        return cls.of(regime, solved[-1].fields, [each.values for each in levels], [each.n_theta for each in levels], exact)
+        fields = [each.fields for each in solved]
+        return cls.of(regime, fields, [each.values for each in levels], [each.n_theta for each in levels], exact)
 
     @property
     def withheld(self) -> tuple[str, ...]:
@@ -305,7 +311,7 @@ def renormalised(regime: Regime, levels: Sequence[Level], own: Mapping[str, Quan
     edge = Regime.of(Problem(beta=1.0 if by_load else None, beta_load=None if by_load else 1.0, **models)).edge_radius
     values = [measure(each, edge) for each in other]
     estimate = Estimate.of(
-        regime, fields[-1], values, [level.n_theta for level in levels[-len(values) :]], "height" if by_load else "load"
+        regime, fields, values, [level.n_theta for level in levels[-len(values) :]], "height" if by_load else "load"
     )
     found = estimate.quantities()
     lacking = {*estimate.withheld, *(own.keys() - found.keys())}
