@@ -51,8 +51,8 @@ def test_typing_a_wrong_unit_is_refused_in_place(open_page):
     until(page, "document.getElementById('announcement').textContent.startsWith('Refused.')")
     set_text(page, "radius", "2 mm")
     assert not page.locator("#refusal").is_visible()
-    assert page.locator("#card-film_min .value").inner_text() == "78.731"
-    until(page, "document.getElementById('announcement').textContent.includes('minimum film 78.731 nm')")
+    assert page.locator("#card-film_min .value").inner_text() == "78.7342"
+    until(page, "document.getElementById('announcement').textContent.includes('minimum film 78.7342 nm')")
 
 
 def test_a_contact_that_is_refused_marks_the_field_that_it_names(open_page):
