@@ -78,7 +78,7 @@ def shows_itself(found, line=""):
 
 
 def test_a_solution_is_shown_in_si(physical):
-    frame = shows_itself(physical, "Solution: beta 16309.2, film_center 174.094 ± 0.035 nm, film_min 78.72 ± 0.11 nm")
+    frame = shows_itself(physical, "Solution: beta 16309.2, film_center 174.094 ± 0.035 nm, film_min 78.716 ± 0.1 nm")
     assert repr(physical).startswith("<Solution: beta 16309.2, film_center 174.094 ± 0.035 nm")
     for name, quantity in physical.dimensional.items():
         assert tuple(frame.loc[name, ["value", "error", "unit"]]) == (quantity.value, quantity.error, quantity.unit)

@@ -33,8 +33,8 @@ SLOWER = 0.5
 """Taken off that power for what the middle grid's change tells by itself: the free boundary has a larger share in it than in
 the coarsest grid's."""
 VALLEY, VALLEY_REACH, VALLEY_SLOWER = ("film_min", "shear_rate_max"), 2, 0.75
-"""Quantities whose error is at least that of the film along its valley; how far the valley is looked at on each side of its
-lowest place, in intervals of the middle grid; and what is taken off the power for what it changes from there."""
+"""Quantities whose error is at least that of the film along its valley; length of the valley on each side of its lowest place
+that is compared, in intervals of the middle grid; and what is taken off the power of smooth solutions to read its change."""
 SAFETY = 1.35
 """Factor of the estimates, for at least 95 % of the errors of every quantity to lie below them (docs/notes/errors.md)."""
 
@@ -145,7 +145,7 @@ def valley_error(
 
     Coarse grids do not see how narrow the minimum at the sides is in angle.  Their errors change sign there, and three values
     may agree by chance, but a stretch of the valley does not.  Its largest change from the middle grid to the finest is read as
-    of an order less than that of smooth solutions.
+    of three quarters of an order less than that of smooth solutions.
 
     Parameters
     ----------
