@@ -52,7 +52,15 @@ def serve() -> None:
     requests, replies = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(os.open(os.devnull, os.O_RDWR), 0)
     os.dup2(2, 1)  # what the work prints is no answer
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have had it ignored
+    interrupts: list[int] = []
+
+    def interrupt(number: int, _: object) -> None:
+        """Once: a second interrupt would end the removal of temporary files."""
+        interrupts.append(number)
+        if len(interrupts) == 1:
+            raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, interrupt)  # a shell may have had it ignored
     asked: SimpleQueue[bytes | None] = SimpleQueue()
 
     def listen() -> None:
@@ -62,8 +70,11 @@ def serve() -> None:
         except (EOFError, OSError):
             asked.put(None)
             os.dup2(0, 2)  # nobody is left to be told anything
-            _interrupt_main_thread()
-            time.sleep(GRACE)
+            end = time.monotonic() + GRACE
+            while not interrupts and time.monotonic() < end:  # a signal just before a system call does not end that call
+                _signal_main_thread()
+                time.sleep(0.01)
+            time.sleep(max(0.0, end - time.monotonic()))
             os._exit(1)
 
     try:
@@ -75,8 +86,8 @@ def serve() -> None:
     os._exit(0)
 
 
-def _interrupt_main_thread() -> None:
-    """Raise KeyboardInterrupt there, also out of a system call where there are signals for threads."""
+def _signal_main_thread() -> None:
+    """Send it SIGINT, which ends a system call where there are signals for threads."""
     if hasattr(signal, "pthread_kill"):
         signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
     else:
