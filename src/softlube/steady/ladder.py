@@ -40,10 +40,13 @@ from softlube.steady.refinements import Refinement, refinements_for
 from softlube.steady.regime import Regime
 from softlube.steady.solution import Solution
 
-LADDER, LADDER_FACE, LADDER_DEEP = (9, 17, 29, 39, 61, 91), (9, 17, 33, 43, 65, 95), (15, 23, 35, 49, 69, 95)
-"""Angular intervals of the nested grids, coarse to fine; of a deep contact's under a flat face, where 29 angles tell less; and
-beyond `COARSE_BETA`, where fewer than 15 cannot hold the boundary layers together.  On a layer a few more, see
-`softlube.steady.mesh.angles_for`.  All are odd, so that the sides, at 90°, lie half-way between two nodes of every grid."""
+LADDER, LADDER_NARROW, LADDER_DEEP = (9, 17, 29, 39, 61, 91), (9, 17, 33, 43, 65, 95), (15, 23, 35, 49, 69, 95)
+"""Angular intervals of the nested grids, coarse to fine; where the minimum at the sides is narrow, beyond `NARROW_BETA` and in
+deep contacts under a flat face; and beyond `COARSE_BETA`, where fewer than 15 cannot hold the boundary layers together.  On a
+layer a few more, see `softlube.steady.mesh.angles_for`.  All are odd, so that the sides, at 90°, lie half-way between two nodes
+of every grid."""
+NARROW_BETA = 7e5
+"""β′ beyond which the film's minimum at the sides is so narrow that 29 angles tell errors above 10⁻³ for it, and 33 less."""
 REFINED_ANGLES = 39
 """Angular intervals from which on a grid can be fine enough although a refinement determines some quantities on it."""
 LARGEST_PASSED_OVER = 3000
@@ -61,8 +64,10 @@ LARGEST_ACCURACY = 0.1
 def ladder_of(regime: Regime) -> tuple[int, ...]:
     """Angular intervals of a contact's grids on a half-space, see `softlube.steady.mesh.angles_for`."""
     if regime.deep and regime.beta <= COARSE_BETA and has_face(regime):
-        return LADDER_FACE
-    return LADDER_DEEP if regime.layers_like > COARSE_BETA else LADDER
+        return LADDER_NARROW
+    if regime.layers_like > COARSE_BETA:
+        return LADDER_DEEP
+    return LADDER_NARROW if regime.layers_like > NARROW_BETA else LADDER
 
 
 def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:
