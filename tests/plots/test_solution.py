@@ -66,3 +66,13 @@ def test_the_dry_contact_of_a_substrate_that_remembers_is_the_one_whose_radius_i
     assert film.get_title(loc="right") == "dashed: dry contact at rest; +: minimum film"
     (circle,) = [line for line in film.get_lines() if line.get_linestyle() == "--"]
     assert np.max(circle.get_xdata()) == pytest.approx(solution.dimensional["contact_radius"] * 1e6, rel=1e-3)
+
+
+def test_the_maps_hold_the_dry_contact_of_any_indenter():
+    punch = softlube.RoundedPunch(face_radius="0.5 mm", edge_radius="2 mm")
+    contact = softlube.Contact(indenter=punch, young_modulus="0.3 MPa", viscosity="1 Pa s", speed="1 mm/s", load="100 mN")
+    solution = contact.solve(accuracy=0.05)
+    film = plot(solution).axes[0]
+    (circle,) = [line for line in film.get_lines() if line.get_linestyle() == "--"]
+    assert np.max(circle.get_xdata()) == pytest.approx(solution.dimensional["contact_radius"] * 1e6, rel=1e-3)
+    assert film.get_xlim()[1] == pytest.approx(1.4 * np.max(circle.get_xdata()), rel=1e-3)

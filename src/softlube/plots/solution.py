@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from softlube.theory.master_curve import Curve
 
 MAP_RADIUS, PROFILE_RADIUS = 1.4, 2.0
-"""Half the side of the maps and half the length of the profiles, over the contact radius; more under a thick film."""
+"""Half the side of the maps and half the length of the profiles, over the dry contact's radius; more under a thick film."""
 FILM_COLOUR, PRESSURE_COLOUR = "#0072B2", "#D55E00"  # Okabe & Ito, safe for colour-blind readers
 OVER = "#56B4E9"  # Okabe & Ito, too
 LONG = 40
@@ -126,13 +126,14 @@ def _highest(solution: Solution) -> float:
 
 
 def _width(solution: Solution) -> float:
-    """How much wider than a contact the pressure is: as wide as a thick film allows."""
-    return max(1.0, 0.9 * np.sqrt(2 * float(solution.quantities["film_center"])))
+    """Radius over which the pressure stands, in units of length: the dry contact's, or more under a thick film."""
+    return max(Regime.of(solution.problem).edge_radius, 0.9 * np.sqrt(2 * float(solution.quantities["film_center"])))
 
 
 def _dry(solution: Solution) -> DryContact | None:
     """The dry contact at rest on the solution's substrate; None where the film is thicker than a contact is deep."""
-    return Regime.of(solution.problem).dry_at_rest if _width(solution) == 1 else None
+    regime = Regime.of(solution.problem)
+    return regime.dry_at_rest if _width(solution) == regime.edge_radius else None
 
 
 def _words_of_dry(solution: Solution) -> str:
