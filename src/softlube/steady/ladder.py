@@ -63,11 +63,9 @@ LARGEST_ACCURACY = 0.1
 
 def ladder_of(regime: Regime) -> tuple[int, ...]:
     """Angular intervals of a contact's grids on a half-space, see `softlube.steady.mesh.angles_for`."""
-    if regime.deep and regime.beta <= COARSE_BETA and has_face(regime):
-        return LADDER_NARROW
-    if regime.layers_like > COARSE_BETA:
+    if regime.steep_like > COARSE_BETA:
         return LADDER_DEEP
-    return LADDER_NARROW if regime.layers_like > NARROW_BETA else LADDER
+    return LADDER_NARROW if regime.blunt_like > NARROW_BETA or (regime.deep and has_face(regime)) else LADDER
 
 
 def climb(regime: Regime, progress: Listener | None = None) -> Iterator[Solved]:

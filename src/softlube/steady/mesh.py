@@ -53,6 +53,9 @@ SHIFTED_EDGE = 0.1
 BLUNT_STEP = 0.24
 """Power of 2 over a blunt indenter's `DryContact.exponent` that the radial step takes: at the edge of its contact the pressure
 bends more than a paraboloid's."""
+BLUNT_RINGS = 2.25
+"""Over `DryContact.exponent`: angular intervals whose rings a grid has at least, for fewer hold no contact of a very blunt
+indenter together.  With n = 5 to 8 and β′ to 10⁶ a grid of 9 angles finds its solution so, and has none without."""
 FACE_CROWDING, FACE_STEP = 0.9, 33 / 29
 """Under a flat face, whose outlet film 17 angles know three times less well than a paraboloid's: crowding at the sides, which
 leaves more angles for the outlet; and factor of a deep contact's radial step, by which 33 angles have the rings of 29."""
@@ -137,7 +140,8 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
             step *= FACE_STEP if regime.deep else 1.0
         elif not regime.deep and beta >= light:
             step *= blunt**BLUNT_STEP
-    return grid.resized(int(np.ceil(grid.xi_of(grid.reach * edge) * n_theta / step)), n_theta)
+    rings = max(n_theta, BLUNT_RINGS * regime.dry.exponent)
+    return grid.resized(int(np.ceil(grid.xi_of(grid.reach * edge) * rings / step)), n_theta)
 
 
 @lru_cache(maxsize=512)

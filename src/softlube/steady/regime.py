@@ -148,12 +148,17 @@ class Regime:
     @property
     def deep(self) -> bool:
         """Whether the boundary layers at the edge of the contact are narrow, so that the sides are hardest to resolve."""
-        return self.layers_like > DEEP_BETA and not self.over_gap
+        return self.blunt_like * self.steep_like > DEEP_BETA * self.beta and not self.over_gap
 
     @property
-    def layers_like(self) -> float:
-        """β of a paraboloid on a half-space whose boundary layers at the sides are as hard to resolve; see `BLUNT`."""
-        return self.beta * max(self.dry.exponent / 2, 1.0) ** BLUNT * STEEPER**self.steepness
+    def blunt_like(self) -> float:
+        """β of a paraboloid whose boundary layers at the sides are as hard to resolve; see `BLUNT`."""
+        return self.beta * max(self.dry.exponent / 2, 1.0) ** BLUNT
+
+    @property
+    def steep_like(self) -> float:
+        """β of a contact on a half-space whose boundary layers at the sides are as hard to resolve; see `STEEPER`."""
+        return self.beta * STEEPER**self.steepness
 
     @property
     def thick(self) -> bool:
