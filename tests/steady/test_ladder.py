@@ -6,9 +6,13 @@ import pytest
 
 import softlube
 import softlube.steady.ladder
+from softlube.model.indenters import PowerShape
+from softlube.model.problem import Problem
 from softlube.solvers.budget import OutOfTime
-from softlube.steady.error_estimate import SMOOTH
+from softlube.steady.error_estimate import GRIDS, SMOOTH
+from softlube.steady.ladder import climb, ladder_of
 from softlube.steady.refinements import Refinement
+from softlube.steady.regime import Regime
 
 
 @pytest.mark.parametrize("beta", [30.0, 1000.0, 2e4])
@@ -60,6 +64,17 @@ def test_progress_is_reported_for_each_grid():
     lines = []
     result = softlube.solve(beta=50, progress=lines.append)
     assert len(lines) == len(result.levels)
+
+
+def test_the_narrow_minimum_of_a_deep_contact_takes_no_fourth_grid():
+    assert len(softlube.solve(beta_load=1.3e6).levels) == GRIDS
+
+
+@pytest.mark.parametrize("exponent", [5.0, 8.0])
+def test_a_very_blunt_contact_has_a_solution_on_the_coarsest_grid(exponent):
+    """A grid without one is passed over."""
+    regime = Regime.of(Problem(beta=3e4, indenter=PowerShape(0.1, 1.0, exponent)))
+    assert next(climb(regime)).grid.n_theta == ladder_of(regime)[0] == 9
 
 
 def test_grids_too_coarse_to_be_judged_are_no_solution(monkeypatch):

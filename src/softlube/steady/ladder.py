@@ -42,9 +42,9 @@ from softlube.steady.solution import Solution
 
 LADDER, LADDER_NARROW, LADDER_DEEP = (9, 17, 29, 39, 61, 91), (9, 17, 33, 43, 65, 95), (15, 23, 35, 49, 69, 95)
 """Angular intervals of the nested grids, coarse to fine; where the minimum at the sides is narrow, beyond `NARROW_BETA` and in
-deep contacts under a flat face; and beyond `COARSE_BETA`, where fewer than 15 cannot hold the boundary layers together.  On a
-layer a few more, see `softlube.steady.mesh.angles_for`.  All are odd, so that the sides, at 90°, lie half-way between two nodes
-of every grid."""
+deep contacts under a flat face; and beyond `COARSE_BETA`, where the rings that go with fewer than 15 cannot hold the boundary
+layers together.  On a layer a few more, see `softlube.steady.mesh.angles_for`.  All are odd, so that the sides, at 90°, lie
+half-way between two nodes of every grid."""
 NARROW_BETA = 7e5
 """β′ beyond which the film's minimum at the sides is so narrow that 29 angles tell errors above 10⁻³ for it, and 33 less."""
 REFINED_ANGLES = 39

@@ -148,7 +148,7 @@ class Regime:
     @property
     def deep(self) -> bool:
         """Whether the boundary layers at the edge of the contact are narrow, so that the sides are hardest to resolve."""
-        return self.blunt_like * self.steep_like > DEEP_BETA * self.beta and not self.over_gap
+        return self.blunt_like * STEEPER**self.steepness > DEEP_BETA and not self.over_gap
 
     @property
     def blunt_like(self) -> float:
