@@ -10,7 +10,7 @@ surface comes back late.  It is solved on the grids of the lubricated contact by
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -29,7 +29,7 @@ from softlube.model.substrates import Substrate
 from softlube.solvers.newton import newton
 from softlube.solvers.threads import one_thread
 from softlube.steady.error_estimate import error_of
-from softlube.steady.level import sketch
+from softlube.steady.level import prolong, sketch
 from softlube.steady.mesh import grid_for, with_trail
 from softlube.steady.regime import Regime
 
@@ -178,7 +178,7 @@ def dry_sliding(substrate: Substrate, indenter: Shape | None = None) -> DrySlidi
     beta = EDGE_BETA * substrate.compliance(1.0)
     problem = Problem(beta=beta, substrate=substrate, indenter=shape)
     regime = Regime.of(problem)
-    pressed = [_pressed(replace(problem, beta=STILL), regime.unit, grid) for grid in _grids(regime)]
+    pressed = list(_pressed(regime))
     loads = [each.load for each in pressed]
     frictions = [hysteresis_friction(each) for each in pressed]
     coefficients = [friction / (6 * load) for friction, load in zip(frictions, loads, strict=True)]
@@ -191,11 +191,15 @@ def _grids(regime: Regime) -> list[PolarGrid]:
     return [grid_for(regime, n, [lambda grid: with_trail(grid, drawn, regime.unit)]) for n in ANGLES]
 
 
-def _pressed(problem: Problem, unit: float, grid: PolarGrid) -> Fields:
-    """Pressure and gap on one grid."""
-    system = ContactSystem(problem, grid, unit)
-    start = system.start(-1.0 / unit)
-    result = newton(_Touching(system), start, tolerance=1e-8, max_iterations=STEPS)
-    if not result.converged:
-        raise NotConvergedError(f"the dry contact was not found on {grid.n_r} x {grid.n_theta} cells")
-    return system.fields(result.x)
+def _pressed(regime: Regime) -> Iterator[Fields]:
+    """Pressure and gap on nested grids, each found from the one before."""
+    problem = replace(regime.problem, beta=STILL)
+    before: tuple[Array, PolarGrid] | None = None
+    for grid in _grids(regime):
+        system = ContactSystem(problem, grid, regime.unit)
+        start = system.start(-1.0 / regime.unit) if before is None else prolong(*before, grid, regime)
+        result = newton(_Touching(system), start, tolerance=1e-8, max_iterations=STEPS)
+        if not result.converged:
+            raise NotConvergedError(f"the dry contact was not found on {grid.n_r} x {grid.n_theta} cells")
+        yield system.fields(result.x)
+        before = result.x, grid

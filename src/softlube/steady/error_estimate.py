@@ -19,6 +19,9 @@ LOOSER_DEEP = {"film_min": 10.0, "shear_rate_max": 10.0}
 angles the larger β is; the second beyond `COARSE_BETA`."""
 LOOSER_TRAIL = LOOSER_DEEP | {"film_outlet_min": 10.0}
 """The same on a substrate that remembers, where the edge of the contact runs askew to the mesh."""
+OFF_THE_EDGE = {"boundary_layer": math.inf}
+"""What does not decide where the contact does not end at the edge of the dry elastic contact, on layers and on substrates that
+remember: this layer is measured from that edge, a difference that may vanish."""
 COARSE_BETA = 3e6
 """β′ beyond which the thinnest boundary layer is known less well, and grids of 9 angles cannot hold it together."""
 LARGEST_ERROR = 0.1
@@ -209,17 +212,19 @@ def estimate_errors(
 def looser(regime: Regime) -> Mapping[str, float]:
     """Factors by which the errors of some quantities may exceed the accuracy.
 
-    On a layer the pressure falls to 5 % of its maximum far inside the dry contact, or not: the inlet's boundary layer is a
-    difference that may vanish, and does not decide.  The film at the edge of the dry contact rises within that boundary layer,
-    which is narrow there, to several times the film at the centre; its error may be three times the accuracy.  A liquid that
-    thickens far outside, where it is hardly sheared, bears a load there that no mesh has, and of which the solution warns.
+    On a layer the film at the edge of the dry contact rises within a boundary layer, which is narrow there, to several times
+    the film at the centre; its error may be three times the accuracy.  A liquid that thickens far outside, where it is hardly
+    sheared, bears a load there that no mesh has, and of which the solution warns.
     """
-    if regime.problem.substrate.memory is not None:
-        return LOOSER_TRAIL
-    factors = LOOSER_DEEP if regime.beta > COARSE_BETA else LOOSER
+    remembers, layer = regime.problem.substrate.memory is not None, regime.dry.substrate_rise != 1
+    factors = dict(LOOSER_TRAIL if remembers else LOOSER_DEEP if regime.beta > COARSE_BETA else LOOSER)
+    if remembers or layer:
+        factors |= OFF_THE_EDGE
+    if layer:
+        factors["film_inlet"] = 3.0
     if regime.thickens_outwards:
-        factors = {**factors, "load": math.inf}
-    return factors if regime.dry.substrate_rise == 1 else {**factors, "boundary_layer": math.inf, "film_inlet": 3.0}
+        factors["load"] = math.inf
+    return factors
 
 
 def unresolved(

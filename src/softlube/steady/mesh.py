@@ -36,14 +36,17 @@ puts the angle of 108°, at which their film breaks, where 17 to 39 intervals te
 STEEP_SHIFT, STEEP_CROWDING, STEEP_ANGLES, STEEP_STEP = 0.95, 3.0, 0.45, 1.9
 """What `Regime.steepness` adds to the mesh: by how much its zone at the edge moves outwards, over β^(−2/5); crowding at the
 sides; angular intervals and, with its square, radial spacing, both as a fraction."""
-THINS, THINNING_SIDES, THINNING_CROWDING = 0.1, 0.75, 0.6
-"""`Regime.thinning` from which on the film at the sides, where the shear rate is largest, needs a finer mesh; factor of the
-width of the mesh's zone there, and what is added to the crowding.  Contacts at β = 1000 with n = 0.5 and λ from 100 to 1000
-reach the usual accuracy with three grids, for which four were needed without."""
+NARROWER_SIDES = 0.75
+"""Factor of the width of the mesh's zone at the sides where the film there needs a finer mesh: of a liquid that thins, and on a
+substrate that remembers, where the edge of the contact turns from the side towards the outlet's within about 20°."""
+THINS, THINNING_CROWDING = 0.1, 0.6
+"""`Regime.thinning` from which on the film at the sides, where the shear rate is largest, needs a finer mesh; and what is added
+to the crowding.  Contacts at β = 1000 with n = 0.5 and λ from 100 to 1000 reach the usual accuracy with three grids, for which
+four were needed without."""
 STIFFEST_EDGE = 4.6
 """Rise of the dry pressure at the edge over Hertz's beyond which rings are added in proportion, so that the rings within the
 contact stay as narrow as the layer is thick."""
-TRAIL_WIDTH, TRAIL_NEAREST, TRAIL_FARTHEST = 0.15, 0.05, 0.9
+TRAIL_WIDTH, TRAIL_NEAREST, TRAIL_FARTHEST = 0.1, 0.05, 0.9
 """Zone of the mesh about the contact's edge at the outlet, where a substrate remembers, over the mesh's edge: its width, as the
 contact's edge runs from there to the sides; its least place; and from where on the zone at the edge does for it, too."""
 TRAIL_THINNING = 2.8
@@ -113,7 +116,7 @@ def grid_for(regime: Regime, n_theta: int, adjustments: Iterable[Callable[[Polar
     blunt, face = min(1.0, 2 / regime.dry.exponent), has_face(regime)
     crowding = (FACE_CROWDING if face else SIDE_CROWDING) + STEEP_CROWDING * steep
     if regime.thinning > THINS and not regime.over_gap:
-        width, crowding = THINNING_SIDES * width, crowding + THINNING_CROWDING
+        width, crowding = NARROWER_SIDES * width, crowding + THINNING_CROWDING
     reach, core = _extent(regime.problem.indenter, float(np.sqrt(regime.unit)))
     reach = _farther(regime, max(reach, FARTHEST) if regime.over_gap else reach)
     grid = PolarGrid(
@@ -199,7 +202,8 @@ def with_trail(grid: PolarGrid, fields: Fields, unit: float) -> PolarGrid:
     grid, crest = replace(grid, edge=edge), max(outlet / edge, TRAIL_NEAREST)
     if crest > TRAIL_FARTHEST:
         return grid
-    return replace(grid, crest=crest, crest_width=TRAIL_WIDTH, thinning=TRAIL_THINNING)
+    sides = NARROWER_SIDES * grid.side_width
+    return replace(grid, crest=crest, crest_width=TRAIL_WIDTH, thinning=TRAIL_THINNING, side_width=sides)
 
 
 def _edge_of(fields: Fields, angle: float) -> float:

@@ -27,6 +27,7 @@ def test_the_zone_is_where_the_pressure_ends():
     assert grid.crest * grid.edge == pytest.approx(wet, abs=0.15)
     other, _ = grid_of(17, substrate)
     assert (other.edge, other.crest) == (grid.edge, grid.crest)
+    assert grid.side_width < grid_for(regime, 29).side_width  # the contact's edge turns sharply there
     assert any(isinstance(each, Trail) for each in refinements_for(regime))
 
 
