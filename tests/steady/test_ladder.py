@@ -6,9 +6,11 @@ import pytest
 
 import softlube
 import softlube.steady.ladder
+from softlube.errors import NotConvergedError
 from softlube.model.indenters import PowerShape
 from softlube.model.problem import Problem
 from softlube.solvers.budget import OutOfTime
+from softlube.steady import level
 from softlube.steady.error_estimate import GRIDS, SMOOTH
 from softlube.steady.ladder import climb, ladder_of
 from softlube.steady.refinements import Refinement
@@ -75,6 +77,23 @@ def test_a_very_blunt_contact_has_a_solution_on_the_coarsest_grid(exponent):
     """A grid without one is passed over."""
     regime = Regime.of(Problem(beta=3e4, indenter=PowerShape(0.1, 1.0, exponent)))
     assert next(climb(regime)).grid.n_theta == ladder_of(regime)[0] == 9
+
+
+def test_a_grid_without_a_solution_is_passed_over(monkeypatch):
+    """And progress says so."""
+    coarsest = 9
+
+    def solve_level(regime, grid, before):
+        if grid.n_theta == coarsest:
+            raise NotConvergedError("none")
+        return level.solve_level(regime, grid, before)
+
+    monkeypatch.setattr("softlube.steady.ladder.solve_level", solve_level)
+    lines = []
+    solution = softlube.solve(beta=100.0, progress=lines.append)
+    assert "too few: no solution" in str(lines[0])
+    assert min(each.n_theta for each in solution.levels) > coarsest
+    assert len(solution.levels) >= GRIDS
 
 
 def test_grids_too_coarse_to_be_judged_are_no_solution(monkeypatch):
